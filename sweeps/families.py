@@ -31,6 +31,13 @@ def smallest_of_family(branch: Ints, joins: Ints) -> Ints:
     return np.asarray(names[_smallest_connected(len(names), one, other)[place[: len(branch)]]])
 
 
+def with_smallest(joins: Ints) -> Ints:
+    """Pairs that connect the same branches: each with the smallest of its family, so that there are few."""
+    names = np.unique(joins)
+    pairs = np.column_stack([names, smallest_of_family(names, joins)])
+    return pairs[pairs[:, 0] != pairs[:, 1]]
+
+
 def _smallest_connected(n: int, one: Ints, other: Ints) -> Ints:
     """The smallest of all numbers that each of n is connected with; SciPy's own takes a while to load."""
     smallest = np.arange(n)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from stridemap.solver.cycles.degenerate import have_no_cycle, why_no_cycle
 from stridemap.solver.cycles.status import CODES, STATUSES, Status
 from stridemap.sweeps.config import SweepConfig
-from stridemap.sweeps.families import families, smallest_of_family
+from stridemap.sweeps.families import families, with_smallest
 from stridemap.sweeps.files import GROUP_ROWS, Pieces
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.merging import FirstSeen, ranges
@@ -47,8 +47,7 @@ class Found:
         self.discarded = np.zeros((grid.n_cells, len(STATUSES)), dtype=np.int32)
         self.n_orbits = 0
         self._branches = FirstSeen()
-        self._joins: list[Ints] = []
-        self._families: Ints | None = None  # branches that are joined, and the smallest of the family of each
+        self._joins = [np.empty((0, 2), dtype=np.int64)]
         self._special: list[pa.Table] = []
 
     def counted(self, result: Result) -> int:
@@ -62,7 +61,6 @@ class Found:
         for (where, status), n in result.discarded.items():
             self.discarded[where, CODES[Status(status)]] += n
         self._joins.append(result.joins)
-        self._families = None
         if len(special := special_table_of(self.model, result.special)):
             self._special.append(special)
         columns = (result.orbits[name] for name in ("branch", "cell", "period"))
@@ -76,16 +74,13 @@ class Found:
 
     def joins_of(self, branches: Ints) -> Ints:
         """Those of some branches that are one with another, each with the smallest of its family."""
-        if self._families is None:
-            joins = np.concatenate([np.empty((0, 2), dtype=np.int64), *self._joins])
-            names = np.unique(joins)
-            self._families = np.column_stack([names, smallest_of_family(names, joins)])
-        names, smallest = self._families.T
+        if len(self._joins) > 1:
+            self._joins = [with_smallest(np.concatenate(self._joins))]
+        names, smallest = self._joins[0].T
         at = np.searchsorted(names, branches)
         known = np.flatnonzero(at < len(names))
         known = known[names[at[known]] == branches[known]]
-        pairs = np.column_stack([branches[known], smallest[at[known]]])
-        return pairs[pairs[:, 0] != pairs[:, 1]]
+        return np.column_stack([branches[known], smallest[at[known]]])
 
     def tables(self, store: Store) -> tuple[Pieces, Pieces, pa.Table]:
         """Limit cycles and cells, which are made as they are written, and special points.

@@ -23,6 +23,7 @@ from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.scales import Scales
 from stridemap.sweeps.changes import Stretches
 from stridemap.sweeps.connections import connections
+from stridemap.sweeps.families import with_smallest
 from stridemap.sweeps.lines import Lines
 from stridemap.sweeps.software import refuse_other
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
@@ -128,9 +129,10 @@ class _Search:
 
     @property
     def joins(self) -> Ints:
-        """Pairs of branches that are one, shape (n, 2)."""
-        pairs = np.concatenate([np.empty((0, 2), dtype=np.int64), *map(np.column_stack, self._joins)])
-        return np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)
+        """Branches that are one with others, each with the smallest of its family, shape (n, 2)."""
+        return with_smallest(
+            np.concatenate([np.empty((0, 2), dtype=np.int64), *map(np.column_stack, self._joins)])
+        )
 
     def relax(self) -> None:
         """Solve from guesses, follow what is new along its line, try what that gives beside it, and so on."""
