@@ -323,7 +323,8 @@ class _Search:
         origin, there = self._points(guesses.origin), self._points(guesses.cell)
         begin, periods = np.zeros(len(guesses)), self.task.search.wider_period_range
         options = self.task.continuation
-        options = replace(options, ds=DS_ACROSS, ds_max=1.0, max_steps=min(options.max_steps, STEPS_ACROSS))
+        ds, max_steps = max(DS_ACROSS, options.ds_min), min(options.max_steps, STEPS_ACROSS)
+        options = replace(options, ds=ds, ds_max=max(ds, 1.0), max_steps=max_steps)
         followed = follow(self.solver, guesses.u, begin, origin, there, periods, options, upwards=True)
         passed = followed.crossings(np.array([0.0, 1.0]))
         end = passed.position == 1

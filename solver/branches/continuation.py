@@ -184,7 +184,7 @@ def follow(
         for a length of `PATIENCE`.
     known : Known, optional
     upwards : bool
-        Only the way that leads towards s = 1 at first.
+        Only the way that leads towards s = 1 at first, each branch to its own end whatever is known.
 
     Returns
     -------

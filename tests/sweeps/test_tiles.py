@@ -182,7 +182,7 @@ def test_from_a_branch_the_cells_beside_it_are_tried():
     assert set(part.outgoing.branch.tolist()) <= set(part.seen.branch.tolist())
 
 
-def beside_a_known_cycle(**more):
+def beside_a_known_cycle(continuation=IN_SWEEPS, **more):
     """A task with a cycle that is known at alpha = 0.25, and a guess for it from the one at 0.24."""
     model = load("wobbling")
     axes = (np.array([22.0, 22.5, 23.0]), np.array([0.24, 0.25]))
@@ -192,7 +192,7 @@ def beside_a_known_cycle(**more):
     seen = Solutions(np.array([3]), here, np.array([5]))
     return Task(
         model, Grid(("k", "alpha"), axes), fixed, SearchOptions(starts=1, period_min=0.3, period_max=3.0),
-        AcceptanceOptions(), IN_SWEEPS, Lanes(), round=2, tile=0, cells=np.array([1, 3, 5]),
+        AcceptanceOptions(), continuation, Lanes(), round=2, tile=0, cells=np.array([1, 3, 5]),
         seeds=np.array([], dtype=np.int64),
         incoming=Guesses(np.array([3]), there, np.array([10**12]), np.array([2])),
         known=seen, seen=seen, **more,
@@ -251,3 +251,11 @@ def test_families_are_one_only_where_following_leads_from_one_to_the_other():
     first, second, own = families(np.array([10**12, 10**13, here]), found.joins)
     assert first == own
     assert second != own
+
+
+def test_long_arclength_steps_are_long_from_cell_to_cell_as_well():
+    """A shortest step above the first one that is taken there is no failure of the cell."""
+    task = beside_a_known_cycle(continuation=replace(IN_SWEEPS, ds_min=0.5, ds=0.5, ds_max=0.5))
+    found = work(task)
+    assert not found.failures
+    assert found.joins.tolist() == [[10**12, 5]]
