@@ -40,8 +40,11 @@ SAME_BRANCH = 0.05
 """Largest distance of a solution from where its branch passes the cell, in terms of the scales; what is
 farther away is another solution."""
 
-ACROSS = 6
+ACROSS = 10
 """Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
+
+BEYOND = 0.1
+"""Of the distance between two cells: so far beyond a fold a cell is tried that the branch may pass."""
 
 BESIDE = 0.2
 """A guess that is no farther from a known solution of its cell, in terms of scales, leads there: no search
@@ -105,6 +108,7 @@ class _Search:
         self._known = [task.seen]
         self._landmarks = [task.seen.some_of_each_branch(ACROSS)]
         self._outgoing: list[Guesses] = []
+        self._lost: list[Guesses] = []
         self._links: list[tuple[Guesses, Solutions]] = []
         self._joins: list[tuple[Ints, Ints]] = []
         self._followed: list[tuple[Solutions, Followed]] = []
@@ -148,7 +152,8 @@ class _Search:
             arrived = self._one_by_one(self._solve, guesses, guesses.cell)
             self._links += arrived
             found = self._along_lines(self._all([solutions for _, solutions in arrived]))
-            guesses = self._across(found)
+            guesses = self._guesses([self._across(found), *self._lost])
+            self._lost.clear()
         self._connect()
 
     def gaits(self) -> tuple[Ints, Ints, Orbits]:
@@ -227,7 +232,7 @@ class _Search:
     def _solve(self, guesses: Guesses) -> tuple[Guesses, Solutions]:
         """Guesses that lead to solutions, and these."""
         points = self._points(guesses.cell)
-        u, closed = self.solver.search(guesses.u, points)
+        u, closed = self._searched(guesses, points)
         at = np.flatnonzero(closed)
         kept, group = grouped(guesses.cell[at], u[at], SEARCH_TOLERANCE, backwards(u), self.scale)
         polished, moved = self.solver.polished(u[at[kept]], points[at[kept]])
@@ -235,6 +240,16 @@ class _Search:
         shortest, longest = self.task.search.wider_period_range
         closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
         return guesses.take(closed), Solutions(guesses.cell, u, guesses.branch).take(closed)
+
+    def _searched(self, guesses: Guesses, points: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+        """Where searches end, and which of them close; those from other cells set out along tangents first."""
+        start, across = guesses.u.copy(), np.flatnonzero(guesses.origin != guesses.cell)
+        origin = self._points(guesses.origin[across])
+        start[across] = self.solver.predicted(guesses.u[across], origin, points[across])
+        u, closed = self.solver.search(start, points)
+        again = across[~closed[across]]
+        u[again], closed[again] = self.solver.search(guesses.u[again], points[again])
+        return u, closed
 
     def _along_lines(self, open_: Solutions) -> list[Solutions]:
         """Follow solutions that are not known along their lines, and enter all that this gives."""
@@ -260,13 +275,14 @@ class _Search:
             known=self._landmarks_beside(begun),
         )
         self._followed.append((begun, followed))
-        passed = followed.crossings(lines.positions)
+        passed = followed.crossings(lines.positions, BEYOND * np.diff(lines.positions).min())
         cells = lines.cell_at(begun.cell[passed.branch], passed.position)
         guesses = Guesses(cells, passed.u, begun.branch[passed.branch], cells)
         here = self._is_here(guesses.cell)
         self._outgoing.append(guesses.take(~here))
         guesses = guesses.take(here)
         u, moved = self.solver.polished(guesses.u, self._points(guesses.cell))
+        self._lost.append(guesses.take(~(moved < SAME_BRANCH)))
         return self._entered(Solutions(guesses.cell, u, guesses.branch).take(moved < SAME_BRANCH))
 
     def _landmarks_beside(self, begun: Solutions) -> Known:

@@ -38,8 +38,9 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-DIFFERENCE = 1e-6
-"""Of `s`, for the derivative with respect to it."""
+DIFFERENCE = 1e-8
+"""Of `s`, for the derivative with respect to it. Near folds that nearly meet, as of gaits that hardly move, it
+is magnified by 1e5: at 1e-6 many branches got lost there."""
 
 MODES = 16
 """Intervals of a line, in each of which the resolution is chosen for the faster of its ends."""
@@ -105,13 +106,16 @@ class Followed:
     x: Array
     tangent: Array
 
-    def crossings(self, positions: Array) -> Crossings:
+    def crossings(self, positions: Array, beyond: float = 0.0) -> Crossings:
         """Where the branches pass positions, those at which they begin left out.
 
         Parameters
         ----------
         positions : ndarray, shape (p,)
             Ascending, from 0 to 1.
+        beyond : float
+            A position that is beyond a fold by no more than this is one that the branch may pass twice: where
+            exactly it turns back is not known.
         """
         x, tangent = self.x, self.tangent
         same = (self.branch[:-1] == self.branch[1:]) & (self.ahead[:-1] == self.ahead[1:])
@@ -124,6 +128,12 @@ class Followed:
         which, position = _passed(positions, s_low, s_high)
         at = piece[which]
         tau = cubics.root(curve[at, :, -1], positions[position], low[which], high[which])
+        fold, beside, apart = _beyond_folds(
+            positions, curve[piece, :, -1], low, s_low, s_high > s_low, beyond
+        )
+        at = np.concatenate([at, piece[fold], piece[fold]])
+        position = np.concatenate([position, beside, beside])
+        tau = np.concatenate([tau, low[fold] - apart, low[fold] + apart])
         u = cubics.value(curve[at, :, :-1], tau[:, None])
         along = np.where(self.ahead[begin[at]], 1, -1) * (begin[at] + tau)
         order = np.lexsort((along, self.branch[begin[at]]))
@@ -142,6 +152,28 @@ def _passed(positions: Array, start: Array, end: Array) -> tuple[Index, Index]:
     count = np.maximum(last - first, 0)
     pair = np.repeat(np.arange(len(start)), count)
     return pair, np.repeat(first - (np.cumsum(count) - count), count) + np.arange(len(pair))
+
+
+def _beyond_folds(
+    positions: Array, curve: Array, tau: Array, s: Array, rising: Mask, reach: float
+) -> tuple[Index, Index, Array]:
+    """Positions just beyond folds: number of the fold, position, and how far from the fold to look for it.
+
+    Folds are pieces of cubics that begin inside these, at `tau` with the position `s`, `rising` from there.
+    """
+    fold = np.flatnonzero((tau > 0) & (tau < 1))
+    low, high = (
+        np.where(rising[fold], s[fold] - reach, s[fold]),
+        np.where(rising[fold], s[fold], s[fold] + reach),
+    )
+    first, last = np.searchsorted(positions, low, "left"), np.searchsorted(positions, high, "right")
+    one = np.flatnonzero((last > first) & (reach > 0))
+    fold, position = fold[one], first[one]
+    bend = np.abs(6 * curve[fold, 0] * tau[fold] + 2 * curve[fold, 1])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        apart = np.sqrt(2 * np.abs(positions[position] - s[fold]) / bend)
+    good = apart < 1  # not where the cubic hardly bends
+    return fold[good], position[good], apart[good]
 
 
 class Known(NamedTuple):

@@ -1,5 +1,6 @@
 """Solutions of Newton's method at one resolution: which of them are limit cycles, and what these measure."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +10,7 @@ from stridemap.solver.backends.base import Kernels, Solved
 from stridemap.solver.cycles import floquet
 from stridemap.solver.cycles.batches import batches
 from stridemap.solver.cycles.error_bars import error_bars
-from stridemap.solver.cycles.errors import Correction, size
+from stridemap.solver.cycles.errors import COARSE, ROUNDING, Correction, size
 from stridemap.solver.cycles.orbits import Orbits, column
 from stridemap.solver.cycles.precise import checked
 from stridemap.solver.cycles.status import CODES, FOUND, Status
@@ -105,10 +106,22 @@ class Candidates:
             state[state < WORTHWHILE * self.correction.rounding] = 0.0
         # Half of the limit: rounding and what the estimate leaves out are to have room.
         state /= 0.5 * options.max_state_error
-        excess = np.fmax(self.integration_error / options.target_integration_error, state)
+        integration = self.integration_error / options.target_integration_error
+        with np.errstate(invalid="ignore"):
+            integration[self.integration_error < self.noise()] = 0.0
+        excess = np.fmax(integration, state)
         # What is not a number at twice the resolution: as far from it as can be.
         excess[self.closed & np.isnan(self.integration_error)] = 1 / options.target_integration_error
         return np.where(self.closed, excess, 0.0)
+
+    def noise(self) -> Array:
+        """What rounding makes of the residuals at twice the resolution, shape (m,): no resolution lowers it."""
+        made = np.abs(self.jacobian) @ np.abs(self.u)[:, :, None]
+        level = ROUNDING * math.sqrt(2 * self.n_rk / COARSE)
+        noise: Array = level * (made[:, :, 0] / Scales.of(self.kernels.model).residual).max(
+            axis=1, initial=0.0
+        )
+        return noise
 
     def corrected(self) -> Array:
         """Section points and periods with what twice as many RK steps change, where they change little."""
@@ -121,6 +134,7 @@ class Candidates:
         """Which of the points nearly closed, and may close at a finer resolution, shape (m,)."""
         with np.errstate(invalid="ignore"):
             near = ~self.closed & (self.residual < NEARLY) & (self.u[:, -1] > 0)
+            near &= ~(self.residual < self.noise())
         at = np.flatnonzero(near & np.isfinite(self.u).all(axis=1))
         near[:] = False
         near[at] = depends_on_resolution(self.kernels, self.n_rk, self.u[at], self.params[at])

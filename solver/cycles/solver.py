@@ -27,8 +27,12 @@ Mask = NDArray[np.bool_]
 SEARCH_RESIDUAL = 1e-4
 """What a search may leave open for Newton's method at full resolution, in terms of the model's scales."""
 
-POLISHES, POLISHED, FAR = 8, 1e-6, 5.0
-"""Newton steps from a good guess at most, and sizes of one after which no other is needed, or none helps, in
+POLISHES, POLISHED, NEAR, FAR = 12, 1e-6, 0.05, 20.0
+"""Newton steps from a good guess at most, and sizes of one after which no other is needed, after which the
+derivative is good for another one, and after which none helps, in terms of the scales."""
+
+AHEAD, FAR_AHEAD = 1e-6, 1.0
+"""Of the way to other parameters, for the derivative along it; and the farthest that a tangent is followed, in
 terms of the scales."""
 
 SAME_END = 0.02
@@ -142,23 +146,58 @@ class Solver:
         last = np.full(len(u), np.inf)
         for n in distinct(n_rk):
             open_ = np.flatnonzero(n_rk == n)
-            for turn in range(POLISHES):
-                if turn % 2:  # one derivative is good for two steps
-                    residual = self.kernels.residual(n, u[open_], params[open_])
-                else:
-                    jacobian, residual = self.kernels.jacobian(n, u[open_], params[open_])
+            jacobian, residual = self.kernels.jacobian(n, u[open_], params[open_])
+            used = np.zeros(len(open_), dtype=np.int64)  # steps with this derivative
+            for _ in range(POLISHES):
                 change = -solved(jacobian, residual)
                 u[open_] += change
-                last[open_] = np.abs(change / scale).max(axis=1)
+                last[open_], used = np.abs(change / scale).max(axis=1), used + 1
                 with np.errstate(invalid="ignore"):
                     go_on = (last[open_] > POLISHED) & (last[open_] < FAR)
-                open_, jacobian = open_[go_on], jacobian[go_on]
+                open_, jacobian, residual, used = open_[go_on], jacobian[go_on], residual[go_on], used[go_on]
                 if not len(open_):
                     break
+                old = (used > 1) | (last[open_] > NEAR)
+                again, same = np.flatnonzero(old), np.flatnonzero(~old)
+                if len(again):
+                    at = open_[again]
+                    jacobian[again], residual[again] = self.kernels.jacobian(n, u[at], params[at])
+                    used[again] = 0
+                if len(same):
+                    at = open_[same]
+                    residual[same] = self.kernels.residual(n, u[at], params[at])
         with np.errstate(invalid="ignore"):
             good = (last < 10 * POLISHED) & (u[:, -1] > 0)
         moved = np.abs((u - guesses) / scale).max(axis=1)
         return self.model.wrapped(u), np.where(good, moved, np.inf)
+
+    def predicted(self, u: Array, params: Array, target: Array) -> Array:
+        """Guesses at other parameters from solutions: on their tangents, where these do not lead far.
+
+        Parameters
+        ----------
+        u : ndarray, shape (n, nz + 1)
+            Section points and periods of solutions.
+        params, target : ndarray, shape (n, n_params)
+            Their parameters, and those of the guesses.
+
+        Returns
+        -------
+        ndarray, shape (n, nz + 1)
+            The solution itself where its tangent leads farther than `FAR_AHEAD`.
+        """
+        out, scale = u.copy(), Scales.of(self.model).unknowns
+        n_rk = self.resolution.branch_n_rk(u[:, -1], self.resolution.fastest_mode(params))
+        for n in distinct(n_rk):
+            at = np.flatnonzero(n_rk == n)
+            jacobian, residual = self.kernels.jacobian(n, u[at], params[at])
+            beside = params[at] + AHEAD * (target[at] - params[at])
+            slope = (self.kernels.residual(n, u[at], beside) - residual) / AHEAD
+            change = -solved(jacobian, slope)
+            with np.errstate(invalid="ignore"):
+                good = np.abs(change / scale).max(axis=1) < FAR_AHEAD
+            out[at[good]] += change[good]
+        return out
 
     def can_be_a_step(self, u: Array, params: Array) -> Mask:
         """Whether the swing foot lands on the admissible side, with the stance leg above the ground."""

@@ -12,7 +12,13 @@ from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import Status
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
-from stridemap.solver.options import IN_SWEEPS, AcceptanceOptions, ContinuationOptions, SearchOptions
+from stridemap.solver.options import (
+    IN_SWEEPS,
+    IN_SWEEPS_OF_CYCLES,
+    AcceptanceOptions,
+    ContinuationOptions,
+    SearchOptions,
+)
 from stridemap.sweeps import tiles
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
@@ -259,3 +265,50 @@ def test_long_arclength_steps_are_long_from_cell_to_cell_as_well():
     found = work(task)
     assert not found.failures
     assert found.joins.tolist() == [[10**12, 5]]
+
+
+def test_a_fold_just_beyond_a_cell_does_not_hide_its_two_cycles(monkeypatch):
+    """At k = 42.5 the stable gait and another one are 0.0013 from the fold in which they meet."""
+    k = tuple(np.linspace(0.5, 60.0, 120))
+    line = Line(k, {"alpha": 0.95, "omega": 3.0}, continuation=IN_SWEEPS_OF_CYCLES)
+    start = line.cycles(43.0).u[0]
+    for beyond, found in ((0.0, 1), (tiles.BEYOND, 3)):
+        monkeypatch.setattr(tiles, "BEYOND", beyond)
+        rows = line.result([(k.index(43.0), start)]).orbits
+        here = rows["cell"] == k.index(42.5)
+        assert np.count_nonzero(here) == found
+    (stable,) = rows["period"][here][rows["stable"][here]]
+    assert np.abs(line.cycles(42.5).period - stable).min() < 1e-10
+
+
+def test_a_cycle_is_not_lost_that_is_far_from_where_its_branch_seems_to_pass(monkeypatch):
+    """Near folds that nearly meet the way from a branch to its solution in a cell may be long."""
+    line = Line((49.5, 50.0, 50.5, 51.0), {"alpha": 0.15, "omega": 2.0})
+    start = line.cycles(51.0).u[-1]
+    periods = line.cycles(50.5).period
+    for same_branch in (tiles.SAME_BRANCH, 1e-6):
+        monkeypatch.setattr(tiles, "SAME_BRANCH", same_branch)
+        rows = line.result([(3, start)]).orbits
+        here = rows["period"][rows["cell"] == 2]
+        assert len(here)
+        for period in here:
+            assert np.abs(periods - period).min() < 1e-10
+
+
+def test_a_gait_is_found_from_one_beside_it_to_which_only_its_tangent_leads(monkeypatch):
+    """From alpha = 0.9125 to 0.925 at the softest spring."""
+    model = load("wobbling")
+    axes = (np.array([0.5, 0.55, 0.6]), np.array([0.9125, 0.925]))
+    fixed = {n: v for n, v in model.preset.items() if n not in ("k", "alpha")}
+    start = Line((0.5,), {"alpha": 0.9125}).cycles(0.5).u[:1]
+    task = Task(
+        model, Grid(("k", "alpha"), axes), fixed, SearchOptions(starts=1, period_min=0.3, period_max=3.0),
+        AcceptanceOptions(), IN_SWEEPS, Lanes(), round=1, tile=0, cells=np.array([1]),
+        seeds=np.array([], dtype=np.int64),
+        incoming=Guesses(np.array([1]), start, np.array([NONE]), np.array([0])),
+        known=Solutions.empty(6), seen=Solutions.empty(6),
+    )  # fmt: skip
+    (period,) = work(task).orbits["period"]
+    assert np.abs(Line((0.5,), {"alpha": 0.925}).cycles(0.5).period - period).min() < 1e-10
+    monkeypatch.setattr(Solver, "predicted", lambda solver, u, params, target: u)
+    assert not len(work(task).orbits["period"])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from stridemap.solver.branches import continuation
-from stridemap.solver.branches.continuation import Known, follow
+from stridemap.solver.branches.continuation import Followed, Known, follow
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
@@ -199,3 +199,29 @@ def test_hopeless_branches_end_nowhere():
     solver, rows = Solver.for_model(model), (p[None], model.point({"k": 3.0})[None])
     narrow = follow(solver, u[:1], np.zeros(1), *rows, (period - 1e-4, period + 1e-4))
     assert len(narrow.x) < 5
+
+
+def test_beyond_a_fold_a_branch_is_looked_for_on_both_sides_of_it():
+    """A parabola that turns back at s = 0.5, at what it would be for a fold a little farther on."""
+    u = np.array([-0.3, -0.05, 0.1, 0.3])
+    tangent = np.column_stack([np.ones(4), -2 * u])
+    tangent /= np.linalg.norm(tangent, axis=1)[:, None]
+    curve = Followed(
+        np.ones(2),
+        np.zeros(4, dtype=np.int64),
+        np.ones(4, dtype=bool),
+        np.column_stack([u, 0.5 - u**2]),
+        tangent,
+    )
+    positions = np.array([0.0, 0.46, 0.504, 1.0])
+    passed = curve.crossings(positions)
+    np.testing.assert_allclose(passed.u[:, 0], [-0.2, 0.2], atol=1e-3)
+    assert passed.position.tolist() == [1, 1]
+    passed = curve.crossings(positions, beyond=0.005)
+    np.testing.assert_allclose(passed.u[:, 0], [-0.2, -np.sqrt(0.004), np.sqrt(0.004), 0.2], atol=4e-3)
+    assert passed.position.tolist() == [1, 2, 2, 1]
+    assert curve.crossings(positions, beyond=0.003).position.tolist() == [1, 1]
+    other = Followed(
+        np.ones(2), curve.branch, curve.ahead, np.column_stack([u, 0.5 + u**2]), tangent * [1.0, -1.0]
+    )
+    assert other.crossings(np.array([0.496, 0.54]), beyond=0.005).position.tolist() == [1, 0, 0, 1]

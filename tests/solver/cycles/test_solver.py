@@ -8,7 +8,7 @@ import pytest
 
 from stridemap.solver.api.points import find_orbits
 from stridemap.solver.backends.interpreter import Interpreter
-from stridemap.solver.cycles.acceptance import Candidates
+from stridemap.solver.cycles.acceptance import Candidates, depends_on_resolution
 from stridemap.solver.cycles.search import continued
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import STATUSES, Status
@@ -155,3 +155,66 @@ def test_a_coarser_target_is_reached_with_fewer_rk_steps():
     assert coarse.period == pytest.approx(fine.period, abs=1e-8)
     tight = AcceptanceOptions(max_residual=1e-20)
     assert continue_one(point, guess, tight)[2].status is Status.NOT_CONVERGED
+
+
+def nearly_standing(k=52.0):
+    """What a search ends at that is far from the solution: the gait takes 14 mm a step, and may be changed
+    along one direction with hardly a residual."""
+    model = load("wobbling")
+    point = model.point({"k": k, "alpha": 0.05, "omega": 2.0})[None]
+    return model, np.array([[0.0156, -0.224, -0.0001, -0.1016, -3.925, 2.279]]), point
+
+
+@pytest.mark.quick
+def test_a_long_way_from_where_a_search_ends_to_the_solution_is_gone():
+    model, guess, point = nearly_standing()
+    solver = Solver.for_model(model)
+    u, closed = solver.search(guess, point)
+    assert closed.all()
+    polished, moved = solver.polished(u, point)
+    assert 1 < moved[0] < np.inf
+    orbit = solver.converge(polished, point, (0.3, 3.0))[0]
+    assert orbit.status is Status.CONVERGED
+    np.testing.assert_allclose([*orbit.state.values(), orbit.period], polished[0], atol=2e-3)
+    step = swing(model, point[0], np.array([*orbit.state.values()]))
+    assert step.duration == pytest.approx(orbit.period, abs=1e-7)
+
+
+@pytest.mark.quick
+def test_a_tangent_leads_to_the_solutions_at_other_parameters():
+    """Half the way, a quarter of the error: it is the tangent. Where it leads far the solution stays."""
+    solver = Solver.for_model(load("wobbling"))
+    p = solver.model.point({"k": 22.5})
+    u, _ = solver.polished(find_orbits("wobbling", k=22.5).u[:1], p[None])
+    errors = []
+    for way in (0.004, 0.002):
+        target = solver.model.point({"k": 22.5 * (1 + way), "alpha": 0.25 * (1 - way)})
+        there, _ = solver.polished(u, target[None])
+        errors.append(np.abs(solver.predicted(u, p[None], target[None]) - there).max())
+    assert errors[0] / errors[1] == pytest.approx(4, rel=0.1)
+    far = solver.model.point({"k": 600.0})
+    np.testing.assert_array_equal(solver.predicted(u, p[None], far[None]), u)
+
+
+@pytest.mark.quick
+def test_what_rounding_makes_is_left_to_no_finer_resolution():
+    """The derivative is 3e4 there: a residual of 1e-11 is the rounding of the solution itself."""
+    model = load("wobbling")
+    point = model.point({"k": 24.71177944862155, "alpha": 0.5, "omega": 3.0})[None]
+    guess = [
+        0.0159765248532,
+        -4.96452138113,
+        -0.00253416604954,
+        0.0036956070411,
+        -10.7630135659,
+        2.68295912432,
+    ]
+    kernels, options = Solver.for_model(model).kernels, AcceptanceOptions(max_residual=1e-14)
+    solution = Candidates.solve(kernels, options, 768, np.array([guess]), point)
+    assert not solution.closed.any()
+    assert 1e-14 < solution.residual[0] < solution.noise()[0] < 1e-10
+    assert depends_on_resolution(kernels, 768, solution.u, point).all()
+    assert not solution.unresolved().any()
+    closed = Candidates.solve(kernels, AcceptanceOptions(max_residual=1e-9), 768, np.array([guess]), point)
+    assert closed.integration_error[0] > closed.options.target_integration_error / 10
+    assert closed.excess()[0] < 1
