@@ -242,7 +242,7 @@ class _Search:
         return guesses.take(closed), Solutions(guesses.cell, u, guesses.branch).take(closed)
 
     def _searched(self, guesses: Guesses, points: Floats) -> tuple[Floats, NDArray[np.bool_]]:
-        """Where searches end, and which of them close; those from other cells set out along tangents first."""
+        """Where searches end, and which of them close; from other cells they set out on tangents first."""
         start, across = guesses.u.copy(), np.flatnonzero(guesses.origin != guesses.cell)
         origin = self._points(guesses.origin[across])
         start[across] = self.solver.predicted(guesses.u[across], origin, points[across])

@@ -39,8 +39,8 @@ Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
 DIFFERENCE = 1e-8
-"""Of `s`, for the derivative with respect to it. Near folds that nearly meet, as of gaits that hardly move, it
-is magnified by 1e5: at 1e-6 many branches got lost there."""
+"""Of `s`, for the derivative with respect to it. Where cycles are nearly singular, as those of very short
+steps are, its error is magnified by 1e5: at 1e-6 many branches got lost."""
 
 MODES = 16
 """Intervals of a line, in each of which the resolution is chosen for the faster of its ends."""

@@ -115,7 +115,7 @@ class Candidates:
         return np.where(self.closed, excess, 0.0)
 
     def noise(self) -> Array:
-        """What rounding makes of the residuals at twice the resolution, shape (m,): no resolution lowers it."""
+        """What rounding makes of residuals at twice the resolution, shape (m,): no resolution lowers it."""
         made = np.abs(self.jacobian) @ np.abs(self.u)[:, :, None]
         level = ROUNDING * math.sqrt(2 * self.n_rk / COARSE)
         noise: Array = level * (made[:, :, 0] / Scales.of(self.kernels.model).residual).max(

@@ -32,7 +32,7 @@ POLISHES, POLISHED, NEAR, FAR = 12, 1e-6, 0.05, 20.0
 derivative is good for another one, and after which none helps, in terms of the scales."""
 
 AHEAD, FAR_AHEAD = 1e-6, 1.0
-"""Of the way to other parameters, for the derivative along it; and the farthest that a tangent is followed, in
+"""Of the way to other parameters, for the derivative along it; and how far a tangent is followed at most, in
 terms of the scales."""
 
 SAME_END = 0.02
