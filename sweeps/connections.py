@@ -10,7 +10,7 @@ from stridemap.sweeps.solutions import Guesses
 
 Ints = NDArray[np.int64]
 
-ATTEMPTS = 4
+ATTEMPTS = 2
 """How often it is tried to follow two branches that may be one from a line to the line beside it."""
 
 

@@ -14,6 +14,10 @@ NONE = -1
 """In the place of a row or a branch where there is none."""
 
 
+PARTS = 4
+"""Into so many parts even a short branch is cut by those of its solutions that stand for it."""
+
+
 @dataclass(frozen=True)
 class Solutions:
     """Solutions with their cells and branches.
@@ -53,12 +57,14 @@ class Solutions:
         return type(self)(*(getattr(self, column.name)[index] for column in fields(self)))
 
     def some_of_each_branch(self, every: int) -> Self:
-        """Every so many in a row of one branch, the first and the last among them."""
+        """Every so many in a row of one branch, but at least each fourth part; first and last among them."""
         branch = self.branch
         begins = np.flatnonzero(np.append(True, branch[1:] != branch[:-1])[: len(branch)])
-        place = np.arange(len(branch)) - np.repeat(begins, np.diff(np.append(begins, len(branch))))
+        length = np.diff(np.append(begins, len(branch)))
+        place = np.arange(len(branch)) - np.repeat(begins, length)
+        apart = np.repeat(np.clip(length // PARTS, 1, every), length)
         last = np.append(branch[1:] != branch[:-1], True)[: len(branch)]
-        return self.take((place % every == 0) | last)
+        return self.take((place % apart == 0) | last)
 
     def same_as(self, other: "Solutions", tolerance: float, scale: Floats) -> Ints:
         """For each of them a row of `other` that is the same solution; `NONE` where there is none.

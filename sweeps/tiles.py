@@ -40,7 +40,7 @@ SAME_BRANCH = 0.05
 """Largest distance of a solution from where its branch passes the cell, in terms of the scales; what is
 farther away is another solution."""
 
-ACROSS = 10
+ACROSS = 16
 """Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
 
 BEYOND = 0.1

@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.boundaries.survey import Boundary
+from stridemap.solver.boundaries.systems import BoundaryCurve
+from stridemap.solver.branches.arclength import at_value
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -14,20 +16,31 @@ PARTS = 6
 """Parts into which each piece between two points is cut."""
 
 
+NEAR = 0.1
+"""Distance of a boundary from the middle of a cell, in terms of the distance of two cells, below which it is
+solved for: the cubic pieces are off by less."""
+
+
 @dataclass(frozen=True)
 class SmoothLine:
     """A boundary in the plane of its parameters.
 
     Parameters
     ----------
-    points : ndarray, shape (m, 2)
+    x : ndarray, shape (m, M + 1)
+        Points of the boundary's curve; the two parameters come last.
     is_gait, borders_stable : ndarray of bool, shape (m,)
         As of the `Boundary`; where one changes is interpolated.
     """
 
-    points: Array
+    x: Array
     is_gait: Mask
     borders_stable: Mask
+
+    @property
+    def points(self) -> Array:
+        """Both parameters, shape (m, 2)."""
+        return self.x[:, -2:]
 
     @classmethod
     def of(cls, boundary: Boundary, parts: int = PARTS) -> "SmoothLine":
@@ -36,8 +49,8 @@ class SmoothLine:
         x, tangent = np.array([one.x for one in points]), np.array([one.tangent for one in points])
         length = np.array([curve.norm(one) for one in np.diff(x, axis=0)])[:, None, None]
         s = np.linspace(0.0, 1.0, parts, endpoint=False)[None, :, None]
-        here, there = x[:-1, None, -2:], x[1:, None, -2:]
-        slope, next_slope = length * tangent[:-1, None, -2:], length * tangent[1:, None, -2:]
+        here, there = x[:-1, None], x[1:, None]
+        slope, next_slope = length * tangent[:-1, None], length * tangent[1:, None]
         inner = (
             here
             + s * slope
@@ -48,9 +61,44 @@ class SmoothLine:
         others = [curve.others(one.x, one.multipliers) for one in points]
         radius = np.array([np.abs(one).max(initial=0.0) for one in others])
         return cls(
-            np.vstack([inner.reshape(-1, 2), x[-1:, -2:]]),
+            np.vstack([inner.reshape(-1, x.shape[1]), x[-1:]]),
             np.all([one > 0 for one in margins], axis=0),
             _between(1.0 - radius, parts) > 0,
+        )
+
+    def exact_beside(self, curve: BoundaryCurve, columns: Array, rows: Array) -> "SmoothLine":
+        """The line with a point more, solved for, on each row of cells that it passes beside a cell's middle.
+
+        So it says exactly on which side the cell lies.
+
+        Parameters
+        ----------
+        curve : BoundaryCurve
+            Of the boundary.
+        columns, rows : ndarray
+            Values of the first and of the second parameter in the middles of the cells, ascending.
+        """
+        y = self.x[:, -1]
+        piece, row = np.nonzero((y[:-1, None] < rows) != (y[1:, None] < rows))
+        part = (rows[row] - y[piece]) / (y[piece + 1] - y[piece])
+        guess = self.x[piece] + part[:, None] * (self.x[piece + 1] - self.x[piece])
+        apart = np.abs(guess[:, -2, None] - columns).min(axis=1)
+        reach = np.linalg.norm((self.x[piece + 1] - self.x[piece]) / curve.scale, axis=1)
+        place, exact = [], []
+        for i in np.flatnonzero(apart < NEAR * np.diff(columns).min()).tolist():
+            ahead = self.x[piece[i] + 1] - self.x[piece[i]]
+            found = at_value(curve, guess[i], float(rows[row[i]]), ahead, 10)
+            if found is not None and curve.norm(found.x - guess[i]) < reach[i]:
+                place.append((piece[i] + 1, part[i]))
+                exact.append(found.x)
+        order = sorted(range(len(place)), key=place.__getitem__)
+        at = np.array([place[i][0] for i in order], dtype=np.int64)
+        between = np.array([place[i][1] < 0.5 for i in order], dtype=bool)
+        nearer = np.where(between, at - 1, at)
+        return SmoothLine(
+            np.insert(self.x, at, np.array(exact).reshape(-1, self.x.shape[1])[order], axis=0),
+            np.insert(self.is_gait, at, self.is_gait[nearer]),
+            np.insert(self.borders_stable, at, self.borders_stable[nearer]),
         )
 
 

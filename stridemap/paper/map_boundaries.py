@@ -28,7 +28,7 @@ from stridemap.solver.options import ContinuationOptions, SearchOptions
 NAMES = ("k", "alpha")
 """The two parameters of the map."""
 
-FORMAT = 1
+FORMAT = 2
 """Of the file in which boundaries are kept; it rises when what is computed changes."""
 
 STEPS = ContinuationOptions(ds_max=0.2, min_tangent_cosine=0.97, easy_tangent_cosine=0.995)
@@ -91,12 +91,12 @@ def cell_survey(sweeps: PaperSweeps, gaits: pd.DataFrame, progress: Callable[[st
 
 
 def lines_table(boundaries: list[Boundary], survey: CellSurvey) -> pd.DataFrame:
-    """Boundaries as a table of points, finely enough to be drawn."""
+    """Boundaries as a table of points, finely enough to be drawn, and exact beside the middles of cells."""
     frames = []
     names = survey.along.solver.model.spec.names
     fixed = dict(zip(names, survey.along.params.tolist(), strict=True))
     for number, one in enumerate(boundaries):
-        line = SmoothLine.of(one)
+        line = SmoothLine.of(one).exact_beside(one.curve, survey.plane.x, survey.plane.y)
         along = dict(zip(NAMES, line.points.T, strict=True))
         columns = {
             "boundary": number,
