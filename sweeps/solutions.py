@@ -101,3 +101,11 @@ class Guesses(Solutions):
     """
 
     origin: Ints
+
+    def from_other_cells(self) -> Self:
+        """Those that are solutions in another cell."""
+        return self.take(self.origin != self.cell)
+
+    def as_starts(self) -> Self:
+        """The same points as starts, which know of no branch."""
+        return type(self)(self.cell, self.u, np.full(len(self), NONE), self.cell)

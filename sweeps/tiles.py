@@ -149,6 +149,7 @@ class _Search:
         guesses = self._guesses([task.incoming, *seeds])
         while len(guesses):
             guesses = self._not_beside_known(guesses)
+            guesses = self._guesses([guesses, guesses.from_other_cells().as_starts()])
             arrived = self._one_by_one(self._solve, guesses, guesses.cell)
             self._links += arrived
             found = self._along_lines(self._all([solutions for _, solutions in arrived]))
@@ -242,14 +243,11 @@ class _Search:
         return guesses.take(closed), Solutions(guesses.cell, u, guesses.branch).take(closed)
 
     def _searched(self, guesses: Guesses, points: Floats) -> tuple[Floats, NDArray[np.bool_]]:
-        """Where searches end, and which of them close; from other cells they set out on tangents first."""
+        """Where searches end, and which of them close; from other cells they set out on tangents."""
         start, across = guesses.u.copy(), np.flatnonzero(guesses.origin != guesses.cell)
         origin = self._points(guesses.origin[across])
         start[across] = self.solver.predicted(guesses.u[across], origin, points[across])
-        u, closed = self.solver.search(start, points)
-        again = across[~closed[across]]
-        u[again], closed[again] = self.solver.search(guesses.u[again], points[again])
-        return u, closed
+        return self.solver.search(start, points)
 
     def _along_lines(self, open_: Solutions) -> list[Solutions]:
         """Follow solutions that are not known along their lines, and enter all that this gives."""
