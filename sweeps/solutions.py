@@ -57,7 +57,7 @@ class Solutions:
         return type(self)(*(getattr(self, column.name)[index] for column in fields(self)))
 
     def some_of_each_branch(self, every: int) -> Self:
-        """Every so many in a row of one branch, but at least each fourth part; first and last among them."""
+        """At most every so many in a row of one branch, nearer together on short ones; first and last too."""
         branch = self.branch
         begins = np.flatnonzero(np.append(True, branch[1:] != branch[:-1])[: len(branch)])
         length = np.diff(np.append(begins, len(branch)))
@@ -97,15 +97,7 @@ class Guesses(Solutions):
     Parameters
     ----------
     origin : ndarray of int, shape (n,)
-        The cell in which u is a solution; the guess's own one for starts, and where a branch passes that.
+        The cell in which u is a solution; the guess's own one for starts, and where a branch seems to pass.
     """
 
     origin: Ints
-
-    def from_other_cells(self) -> Self:
-        """Those that are solutions in another cell."""
-        return self.take(self.origin != self.cell)
-
-    def as_starts(self) -> Self:
-        """The same points as starts, which know of no branch."""
-        return type(self)(self.cell, self.u, np.full(len(self), NONE), self.cell)

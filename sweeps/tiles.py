@@ -41,7 +41,7 @@ SAME_BRANCH = 0.05
 farther away is another solution."""
 
 ACROSS = 16
-"""Of so many solutions in a row along a branch, one is tried in the cells beside its own."""
+"""Of at most so many solutions in a row along a branch, one is tried in the cells beside its own."""
 
 BEYOND = 0.1
 """Of the distance between two cells: so far beyond a fold a cell is tried that the branch may pass."""
@@ -108,7 +108,8 @@ class _Search:
         self._known = [task.seen]
         self._landmarks = [task.seen.some_of_each_branch(ACROSS)]
         self._outgoing: list[Guesses] = []
-        self._lost: list[Guesses] = []
+        self._lost: list[Guesses] = []  # where a branch seemed to pass a cell and nothing was near
+        self._beyond: list[Solutions] = []  # on no branch yet, from just beyond folds
         self._links: list[tuple[Guesses, Solutions]] = []
         self._joins: list[tuple[Ints, Ints]] = []
         self._followed: list[tuple[Solutions, Followed]] = []
@@ -147,14 +148,14 @@ class _Search:
             for cells, u in ((np.full(len(u), cell), u) for cell, u in made)
         ]
         guesses = self._guesses([task.incoming, *seeds])
-        while len(guesses):
+        while len(guesses) or self._beyond:
             guesses = self._not_beside_known(guesses)
-            guesses = self._guesses([guesses, guesses.from_other_cells().as_starts()])
             arrived = self._one_by_one(self._solve, guesses, guesses.cell)
             self._links += arrived
-            found = self._along_lines(self._all([solutions for _, solutions in arrived]))
-            guesses = self._guesses([self._across(found), *self._lost])
-            self._lost.clear()
+            beyond, self._beyond = self._beyond, []
+            found = self._along_lines(self._all([*(solutions for _, solutions in arrived), *beyond]))
+            lost, self._lost = self._lost, []
+            guesses = self._guesses([self._across(found), *lost])
         self._connect()
 
     def gaits(self) -> tuple[Ints, Ints, Orbits]:
@@ -232,8 +233,9 @@ class _Search:
 
     def _solve(self, guesses: Guesses) -> tuple[Guesses, Solutions]:
         """Guesses that lead to solutions, and these."""
+        guesses, start = self._starting_points(guesses)
         points = self._points(guesses.cell)
-        u, closed = self._searched(guesses, points)
+        u, closed = self.solver.search(start, points)
         at = np.flatnonzero(closed)
         kept, group = grouped(guesses.cell[at], u[at], SEARCH_TOLERANCE, backwards(u), self.scale)
         polished, moved = self.solver.polished(u[at[kept]], points[at[kept]])
@@ -242,12 +244,14 @@ class _Search:
         closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
         return guesses.take(closed), Solutions(guesses.cell, u, guesses.branch).take(closed)
 
-    def _searched(self, guesses: Guesses, points: Floats) -> tuple[Floats, NDArray[np.bool_]]:
-        """Where searches end, and which of them close; from other cells they set out on tangents."""
-        start, across = guesses.u.copy(), np.flatnonzero(guesses.origin != guesses.cell)
-        origin = self._points(guesses.origin[across])
-        start[across] = self.solver.predicted(guesses.u[across], origin, points[across])
-        return self.solver.search(start, points)
+    def _starting_points(self, guesses: Guesses) -> tuple[Guesses, Floats]:
+        """Guesses, those from other cells twice, and where their searches begin: there on the tangent too."""
+        across = np.flatnonzero(guesses.origin != guesses.cell)
+        u, cells = guesses.u[across], (guesses.origin[across], guesses.cell[across])
+        ahead = self.solver.predicted(u, *map(self._points, cells))
+        differs = (ahead != u).any(axis=1)
+        every = self._guesses([guesses, guesses.take(across[differs])])
+        return every, np.concatenate([guesses.u, ahead[differs]])
 
     def _along_lines(self, open_: Solutions) -> list[Solutions]:
         """Follow solutions that are not known along their lines, and enter all that this gives."""
@@ -275,13 +279,17 @@ class _Search:
         self._followed.append((begun, followed))
         passed = followed.crossings(lines.positions, BEYOND * np.diff(lines.positions).min())
         cells = lines.cell_at(begun.cell[passed.branch], passed.position)
-        guesses = Guesses(cells, passed.u, begun.branch[passed.branch], cells)
+        branch = np.where(passed.beyond, NONE, begun.branch[passed.branch])
+        guesses = Guesses(cells, passed.u, branch, cells)
         here = self._is_here(guesses.cell)
-        self._outgoing.append(guesses.take(~here))
+        self._outgoing.append(guesses.take(~here & ~passed.beyond))
         guesses = guesses.take(here)
         u, moved = self.solver.polished(guesses.u, self._points(guesses.cell))
-        self._lost.append(guesses.take(~(moved < SAME_BRANCH)))
-        return self._entered(Solutions(guesses.cell, u, guesses.branch).take(moved < SAME_BRANCH))
+        near, beyond = moved < SAME_BRANCH, guesses.branch == NONE
+        solutions = Solutions(guesses.cell, u, guesses.branch)
+        self._beyond += [solutions.take(near & beyond)] if (near & beyond).any() else []
+        self._lost.append(guesses.take(~near & ~beyond))
+        return self._entered(solutions.take(near & ~beyond))
 
     def _landmarks_beside(self, begun: Solutions) -> Known:
         """Some solutions of each known branch on the lines of those that begin."""

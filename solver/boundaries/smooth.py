@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.boundaries.survey import Boundary
-from stridemap.solver.boundaries.systems import BoundaryCurve
+from stridemap.solver.branches import cubics
 from stridemap.solver.branches.arclength import at_value
 
 Array = NDArray[np.float64]
@@ -18,7 +18,7 @@ PARTS = 6
 
 NEAR = 0.1
 """Distance of a boundary from the middle of a cell, in terms of the distance of two cells, below which it is
-solved for: the cubic pieces are off by less."""
+solved for; and of what is found from the cubic piece, in terms of a part's length, at most."""
 
 
 @dataclass(frozen=True)
@@ -46,60 +46,62 @@ class SmoothLine:
     def of(cls, boundary: Boundary, parts: int = PARTS) -> "SmoothLine":
         """The line through the points of a boundary, along their tangents (cubic Hermite interpolation)."""
         curve, points = boundary.curve, boundary.points
-        x, tangent = np.array([one.x for one in points]), np.array([one.tangent for one in points])
-        length = np.array([curve.norm(one) for one in np.diff(x, axis=0)])[:, None, None]
-        s = np.linspace(0.0, 1.0, parts, endpoint=False)[None, :, None]
-        here, there = x[:-1, None], x[1:, None]
-        slope, next_slope = length * tangent[:-1, None], length * tangent[1:, None]
-        inner = (
-            here
-            + s * slope
-            + s**2 * (3 * (there - here) - 2 * slope - next_slope)
-            + s**3 * (2 * (here - there) + slope + next_slope)
-        )
+        tau = np.tile(np.arange(parts) / parts, max(len(points) - 1, 0))
+        inner = cubics.value(np.repeat(_pieces(boundary), parts, axis=0), tau[:, None])
         margins = [_between(value, parts) for value in boundary.conditions.values()]
         others = [curve.others(one.x, one.multipliers) for one in points]
         radius = np.array([np.abs(one).max(initial=0.0) for one in others])
         return cls(
-            np.vstack([inner.reshape(-1, x.shape[1]), x[-1:]]),
+            np.vstack([inner, points[-1].x]),
             np.all([one > 0 for one in margins], axis=0),
             _between(1.0 - radius, parts) > 0,
         )
 
-    def exact_beside(self, curve: BoundaryCurve, columns: Array, rows: Array) -> "SmoothLine":
-        """The line with a point more, solved for, on each row of cells that it passes beside a cell's middle.
+    def exact_beside(self, boundary: Boundary, columns: Array, rows: Array) -> "SmoothLine":
+        """The line with a point more, solved for, wherever it crosses a row of cells near a cell's middle.
 
-        So it says exactly on which side the cell lies.
+        So it says exactly on which side of it, along the row, the cell lies.
 
         Parameters
         ----------
-        curve : BoundaryCurve
-            Of the boundary.
+        boundary : Boundary
+            The one of which this is the line.
         columns, rows : ndarray
-            Values of the first and of the second parameter in the middles of the cells, ascending.
+            Values of the first and of the second parameter in the middles of the cells, ascending; at least
+            two columns.
         """
-        y = self.x[:, -1]
-        piece, row = np.nonzero((y[:-1, None] < rows) != (y[1:, None] < rows))
-        part = (rows[row] - y[piece]) / (y[piece + 1] - y[piece])
-        guess = self.x[piece] + part[:, None] * (self.x[piece + 1] - self.x[piece])
+        curve, y = boundary.curve, self.x[:, -1]
+        part, row = np.nonzero((y[:-1, None] < rows) != (y[1:, None] < rows))
+        parts = max((len(y) - 1) // max(len(boundary.points) - 1, 1), 1)
+        piece, place = np.divmod(part, parts)
+        # Another boundary may run beside it: what is solved for is to be near the cubic piece itself.
+        cubic = _pieces(boundary)[piece]
+        tau = cubics.root(cubic[:, :, -1], rows[row], place / parts, (place + 1) / parts)
+        guess = cubics.value(cubic, tau[:, None])
+        reach = np.linalg.norm((self.x[part + 1] - self.x[part]) / curve.scale, axis=1)
         apart = np.abs(guess[:, -2, None] - columns).min(axis=1)
-        reach = np.linalg.norm((self.x[piece + 1] - self.x[piece]) / curve.scale, axis=1)
-        place, exact = [], []
-        for i in np.flatnonzero(apart < NEAR * np.diff(columns).min()).tolist():
-            ahead = self.x[piece[i] + 1] - self.x[piece[i]]
+        near = np.flatnonzero(apart < NEAR * np.diff(columns).min())
+        exact = []
+        for i in near[np.lexsort((tau[near], piece[near]))].tolist():
+            ahead = self.x[part[i] + 1] - self.x[part[i]]
             found = at_value(curve, guess[i], float(rows[row[i]]), ahead, 10)
-            if found is not None and curve.norm(found.x - guess[i]) < reach[i]:
-                place.append((piece[i] + 1, part[i]))
-                exact.append(found.x)
-        order = sorted(range(len(place)), key=place.__getitem__)
-        at = np.array([place[i][0] for i in order], dtype=np.int64)
-        between = np.array([place[i][1] < 0.5 for i in order], dtype=bool)
-        nearer = np.where(between, at - 1, at)
+            if found is not None and curve.norm(found.x - guess[i]) < NEAR * reach[i]:
+                exact.append((part[i] + 1, tau[i] * parts - place[i] < 0.5, found.x))
+        if not exact:
+            return self
+        at, earlier, x = (np.array(column) for column in zip(*exact, strict=True))
+        nearer = np.where(earlier, at - 1, at)
         return SmoothLine(
-            np.insert(self.x, at, np.array(exact).reshape(-1, self.x.shape[1])[order], axis=0),
+            np.insert(self.x, at, x, axis=0),
             np.insert(self.is_gait, at, self.is_gait[nearer]),
             np.insert(self.borders_stable, at, self.borders_stable[nearer]),
         )
+
+
+def _pieces(boundary: Boundary) -> Array:
+    """Cubics between neighbouring points of a boundary, shape (m - 1, 4, M + 1); see `cubics`."""
+    x, tangent = (np.array([getattr(one, name) for one in boundary.points]) for name in ("x", "tangent"))
+    return cubics.cubics(x[:-1], x[1:], tangent[:-1], tangent[1:], boundary.curve.scale)
 
 
 def _between(value: Array, parts: int) -> Array:

@@ -308,8 +308,8 @@ def passes_through(curve: ZeroCurve, points: list[CurvePoint], x: Array) -> bool
     """Whether a curve that was followed passes through a point: where it passes nearest it is solved for.
 
     A fold may lie between two of its points, so that it passes values of a parameter that none of them has.
-    And another curve may run beside it, so near that from the tangent at a point far away Newton's method
-    would find that one: halving the way from point to point leads there along the curve itself.
+    And another curve may run beside it, so near that from a point far away Newton's method finds that one: in
+    the end it is decided by following the curve in short steps, which do not go aside unnoticed.
 
     Parameters
     ----------
@@ -320,38 +320,35 @@ def passes_through(curve: ZeroCurve, points: list[CurvePoint], x: Array) -> bool
     """
     known = np.array([point.x for point in points])
     lengths = np.linalg.norm(np.diff(known, axis=0) / curve.scale, axis=1)
+    reach = np.maximum(np.append(lengths, 0.0), np.append(0.0, lengths))
     away = np.linalg.norm((known - x) / curve.scale, axis=1)
-    if away.min() < SAME:
-        return True
-    near = np.flatnonzero(np.minimum(away[:-1], away[1:]) < 2 * np.maximum(lengths, SAME))
-    order = np.argsort(np.minimum(away[:-1], away[1:])[near], kind="stable")
-    return any(_passes_between(curve, points[i], points[i + 1], x) for i in near[order])
-
-
-def _passes_between(curve: ZeroCurve, one: CurvePoint, other: CurvePoint, x: Array) -> bool:
-    """Whether a curve passes through a point between two of its own."""
-    for _ in range(HALVINGS):
-        if curve.dot(x - one.x, one.tangent) < 0 or curve.dot(x - other.x, other.tangent) > 0:
-            return False  # not between them
-        middle = _halfway(curve, one, other)
-        if middle is None:
-            return False
-        if curve.norm(middle.x - x) < SAME:
+    near = np.flatnonzero(away < 2 * np.maximum(reach, SAME))
+    for point in (points[i] for i in near[np.argsort(away[near], kind="stable")]):
+        ahead = curve.dot(x - point.x, point.tangent)
+        found = curve.corrected(point.x + ahead * point.tangent, point.tangent, point.n_rk, 10)
+        far = found.converged and curve.norm(found.x - x) > BESIDE
+        if not far and _leads_to(curve, point if ahead >= 0 else point.reversed(), x):
             return True
-        one, other = (middle, other) if curve.dot(x - middle.x, middle.tangent) > 0 else (one, middle)
-    guess = one.x + curve.dot(x - one.x, one.tangent) * one.tangent
-    found = curve.corrected(guess, one.tangent, one.n_rk, 10)
-    return found.converged and curve.norm(found.x - x) < SAME
+    return False
 
 
-def _halfway(curve: ZeroCurve, one: CurvePoint, other: CurvePoint) -> CurvePoint | None:
-    """The point of a curve halfway between two, from the cubic through them; None where that is not found."""
-    length = curve.norm(other.x - one.x)
-    guess = (one.x + other.x) / 2 + length * (one.tangent - other.tangent) / 8
-    across = one.tangent + other.tangent
-    n_rk = max(one.n_rk, other.n_rk)
-    found = curve.corrected(guess, across / curve.norm(across), n_rk, 10)
-    return CurvePoint.at(curve, found, across, n_rk) if found.converged else None
+def _leads_to(curve: ZeroCurve, point: CurvePoint, x: Array) -> bool:
+    """Whether a curve leads from one of its points to another one, in short steps."""
+    ds = SHORT
+    for _ in range(int(2 * curve.norm(x - point.x) / SHORT) + SHORT_STEPS):
+        left = curve.dot(x - point.x, point.tangent)
+        if left <= 0.0:
+            break
+        there = advanced(curve, point, min(ds, left), 10)
+        if there is None or _jumps(curve, point, there):
+            if left < SAME:
+                break
+            ds = min(ds, left) / 2
+        elif left <= ds:
+            return curve.norm(there.x - x) < SAME  # both lie in the plane across the tangent
+        else:
+            point, ds = there, min(2 * ds, SHORT)
+    return curve.norm(point.x - x) < SAME
 
 
 def _between(ends: Array, values: Array) -> bool:
@@ -368,9 +365,12 @@ MAX_SIDESTEP = 0.004
 SAME = 1e-5
 """Distance, in terms of the scale, of two points that are one."""
 
-HALVINGS = 5
-"""How often the way between two points is halved around a third one: the cubic through the last two is exact
-to some 1e-6 of what it is through the first."""
+BESIDE = 1e-2
+"""Distance, in terms of the scale, from which on a point is not one of a curve and not one beside it."""
+
+SHORT, SHORT_STEPS = 0.005, 20
+"""Arclength steps that do not go aside unnoticed to a curve that is farther than 2e-5, and how many of them
+are taken at most beyond those that the way needs."""
 
 STANDING = 1e-4
 """A section point whose entries are all below this part of their scale is a walker that stands."""

@@ -38,9 +38,9 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-DIFFERENCE = 1e-8
-"""Of `s`, for the derivative with respect to it. Where cycles are nearly singular, as those of very short
-steps are, its error is magnified by 1e5: at 1e-6 many branches got lost."""
+DIFFERENCE, LARGEST_DIFFERENCE = 1e-8, 1e-5
+"""Of a parameter, for the derivative with respect to `s`; and of `s`. Where cycles are nearly singular, as
+those of very short steps are, its error is magnified by 1e5: at 1e-6 many branches got lost."""
 
 MODES = 16
 """Intervals of a line, in each of which the resolution is chosen for the faster of its ends."""
@@ -77,11 +77,14 @@ class Crossings:
         Which of the positions.
     u : ndarray, shape (k, nz + 1)
         Section point and period: a guess. In their order along each branch.
+    beyond : ndarray of bool, shape (k,)
+        Whether the position is beyond a fold, so that the branch may not pass it after all.
     """
 
     branch: Index
     position: Index
     u: Array
+    beyond: Mask
 
 
 @dataclass(frozen=True)
@@ -114,8 +117,8 @@ class Followed:
         positions : ndarray, shape (p,)
             Ascending, from 0 to 1.
         beyond : float
-            A position that is beyond a fold by no more than this is one that the branch may pass twice: where
-            exactly it turns back is not known.
+            The nearest position that is beyond a fold by no more than this is one that the branch may pass
+            twice: where exactly it turns back is not known. Below the distance of two positions.
         """
         x, tangent = self.x, self.tangent
         same = (self.branch[:-1] == self.branch[1:]) & (self.ahead[:-1] == self.ahead[1:])
@@ -132,12 +135,13 @@ class Followed:
             positions, curve[piece, :, -1], low, s_low, s_high > s_low, beyond
         )
         at = np.concatenate([at, piece[fold], piece[fold]])
+        is_beyond = np.arange(len(at)) >= len(tau)
         position = np.concatenate([position, beside, beside])
         tau = np.concatenate([tau, low[fold] - apart, low[fold] + apart])
         u = cubics.value(curve[at, :, :-1], tau[:, None])
         along = np.where(self.ahead[begin[at]], 1, -1) * (begin[at] + tau)
         order = np.lexsort((along, self.branch[begin[at]]))
-        return Crossings(self.branch[begin[at]][order], position[order], u[order])
+        return Crossings(self.branch[begin[at]][order], position[order], u[order], is_beyond[order])
 
 
 def _passed(positions: Array, start: Array, end: Array) -> tuple[Index, Index]:
@@ -155,25 +159,23 @@ def _passed(positions: Array, start: Array, end: Array) -> tuple[Index, Index]:
 
 
 def _beyond_folds(
-    positions: Array, curve: Array, tau: Array, s: Array, rising: Mask, reach: float
+    positions: Array, curve: Array, low: Array, s_low: Array, rising: Mask, reach: float
 ) -> tuple[Index, Index, Array]:
-    """Positions just beyond folds: number of the fold, position, and how far from the fold to look for it.
+    """Positions just beyond folds: piece that begins there, position, and how far from the fold to look.
 
-    Folds are pieces of cubics that begin inside these, at `tau` with the position `s`, `rising` from there.
+    Pieces of the cubics begin at `low`, where the position is `s_low`, and rise from there or fall.
     """
-    fold = np.flatnonzero((tau > 0) & (tau < 1))
-    low, high = (
-        np.where(rising[fold], s[fold] - reach, s[fold]),
-        np.where(rising[fold], s[fold], s[fold] + reach),
-    )
-    first, last = np.searchsorted(positions, low, "left"), np.searchsorted(positions, high, "right")
-    one = np.flatnonzero((last > first) & (reach > 0))
-    fold, position = fold[one], first[one]
-    bend = np.abs(6 * curve[fold, 0] * tau[fold] + 2 * curve[fold, 1])
+    piece = np.flatnonzero((low > 0) & (low < 1) & (reach > 0))
+    s, up = s_low[piece], rising[piece]
+    first = np.searchsorted(positions, np.where(up, s - reach, s), "left")
+    last = np.searchsorted(positions, np.where(up, s, s + reach), "right")
+    one = np.flatnonzero(last > first)
+    piece, position = piece[one], first[one]
+    bend = np.abs(6 * curve[piece, 0] * low[piece] + 2 * curve[piece, 1])
     with np.errstate(divide="ignore", invalid="ignore"):
-        apart = np.sqrt(2 * np.abs(positions[position] - s[fold]) / bend)
+        apart = np.sqrt(2 * np.abs(positions[position] - s_low[piece]) / bend)
     good = apart < 1  # not where the cubic hardly bends
-    return fold[good], position[good], apart[good]
+    return piece[good], position[good], apart[good]
 
 
 class Known(NamedTuple):
@@ -229,6 +231,14 @@ def follow(
     return lines.upwards(x) if upwards else lines.both_ways(x, np.column_stack(known[:2]), known.branch)
 
 
+def _differences(params: Array, direction: Array) -> Array:
+    """Differences of `s` for derivatives along lines, shape (m,): on a short line they are a larger part."""
+    largest = np.maximum(np.abs(params), np.abs(params + direction))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        part = np.where(direction == 0, 0.0, largest / np.abs(direction)).max(axis=1, initial=0.0)
+    return np.clip(DIFFERENCE * part, DIFFERENCE, LARGEST_DIFFERENCE)
+
+
 def _at_end(s: Array, slope: Array) -> Mask:
     """Whether points are at the end of their line to which their tangents point."""
     return ((s <= 0) & (slope < 0)) | ((s >= 1) & (slope > 0))
@@ -254,6 +264,7 @@ class _Lines:
         _, self.first, line = np.unique(ends, axis=0, return_index=True, return_inverse=True)
         self.line = line.ravel()
         self.modes = self._modes() if len(params) else np.empty((0, MODES))
+        self.difference = _differences(params, self.direction)
 
     def both_ways(self, x: Array, known: Array, on_line_of: Index) -> Followed:
         """Follow all one way first, and then those the other way that none of the others has come along."""
@@ -422,10 +433,11 @@ class _Lines:
         u, s = x[:, :-1], x[:, -1:]
         n = u.shape[1]
         jacobian, residual = self._evaluate(self.kernels.jacobian, n_rk, at, u, s)
-        shifted = self._residual(at, u, s + DIFFERENCE, n_rk)
+        h = self.difference[at, None]
+        shifted = self._residual(at, u, s + h, n_rk)
         matrix = np.zeros((len(x), n + 1, n + 1))
         matrix[:, :n, :n] = jacobian
-        matrix[:, :n, n] = (shifted - residual) / DIFFERENCE
+        matrix[:, :n, n] = (shifted - residual) / h
         return matrix, residual
 
     def _residual(self, at: Index, u: Array, s: Array, n_rk: Index) -> Array:

@@ -108,19 +108,18 @@ class Candidates:
         state /= 0.5 * options.max_state_error
         integration = self.integration_error / options.target_integration_error
         with np.errstate(invalid="ignore"):
-            integration[self.integration_error < self.noise()] = 0.0
+            made = self.integration_error < np.minimum(self.noise(), options.max_integration_error)
+        integration[made] = 0.0
         excess = np.fmax(integration, state)
         # What is not a number at twice the resolution: as far from it as can be.
         excess[self.closed & np.isnan(self.integration_error)] = 1 / options.target_integration_error
         return np.where(self.closed, excess, 0.0)
 
     def noise(self) -> Array:
-        """What rounding makes of residuals at twice the resolution, shape (m,): no resolution lowers it."""
+        """What rounding makes of residuals at twice the resolution, shape (m,): no finer one lowers it."""
         made = np.abs(self.jacobian) @ np.abs(self.u)[:, :, None]
         level = ROUNDING * math.sqrt(2 * self.n_rk / COARSE)
-        noise: Array = level * (made[:, :, 0] / Scales.of(self.kernels.model).residual).max(
-            axis=1, initial=0.0
-        )
+        noise: Array = level * (made[:, :, 0] / Scales.of(self.kernels.model).residual).max(axis=1)
         return noise
 
     def corrected(self) -> Array:

@@ -27,9 +27,9 @@ Mask = NDArray[np.bool_]
 SEARCH_RESIDUAL = 1e-4
 """What a search may leave open for Newton's method at full resolution, in terms of the model's scales."""
 
-POLISHES, POLISHED, NEAR, FAR = 12, 1e-6, 0.05, 20.0
-"""Newton steps from a good guess at most, and sizes of one after which no other is needed, after which the
-derivative is good for another one, and after which none helps, in terms of the scales."""
+POLISHES, USES, POLISHED, NEAR, FAR = 12, 2, 1e-6, 0.05, 20.0
+"""Newton steps from a good guess at most, and those with one derivative; and sizes of a step, in terms of the
+scales, after which no other is needed, the derivative is good for another one, and none helps."""
 
 AHEAD, FAR_AHEAD = 1e-6, 1.0
 """Of the way to other parameters, for the derivative along it; and how far a tangent is followed at most, in
@@ -146,18 +146,10 @@ class Solver:
         last = np.full(len(u), np.inf)
         for n in distinct(n_rk):
             open_ = np.flatnonzero(n_rk == n)
-            jacobian, residual = self.kernels.jacobian(n, u[open_], params[open_])
-            used = np.zeros(len(open_), dtype=np.int64)  # steps with this derivative
+            jacobian, residual = np.empty((len(open_), *2 * u.shape[1:])), np.empty((len(open_), u.shape[1]))
+            used = np.full(len(open_), USES)  # of the derivative
             for _ in range(POLISHES):
-                change = -solved(jacobian, residual)
-                u[open_] += change
-                last[open_], used = np.abs(change / scale).max(axis=1), used + 1
-                with np.errstate(invalid="ignore"):
-                    go_on = (last[open_] > POLISHED) & (last[open_] < FAR)
-                open_, jacobian, residual, used = open_[go_on], jacobian[go_on], residual[go_on], used[go_on]
-                if not len(open_):
-                    break
-                old = (used > 1) | (last[open_] > NEAR)
+                old = (used >= USES) | (last[open_] > NEAR)
                 again, same = np.flatnonzero(old), np.flatnonzero(~old)
                 if len(again):
                     at = open_[again]
@@ -166,6 +158,14 @@ class Solver:
                 if len(same):
                     at = open_[same]
                     residual[same] = self.kernels.residual(n, u[at], params[at])
+                change = -solved(jacobian, residual)
+                u[open_] += change
+                last[open_], used = np.abs(change / scale).max(axis=1), used + 1
+                with np.errstate(invalid="ignore"):
+                    go_on = (last[open_] > POLISHED) & (last[open_] < FAR)
+                open_, jacobian, residual, used = open_[go_on], jacobian[go_on], residual[go_on], used[go_on]
+                if not len(open_):
+                    break
         with np.errstate(invalid="ignore"):
             good = (last < 10 * POLISHED) & (u[:, -1] > 0)
         moved = np.abs((u - guesses) / scale).max(axis=1)

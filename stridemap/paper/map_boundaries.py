@@ -96,7 +96,7 @@ def lines_table(boundaries: list[Boundary], survey: CellSurvey) -> pd.DataFrame:
     names = survey.along.solver.model.spec.names
     fixed = dict(zip(names, survey.along.params.tolist(), strict=True))
     for number, one in enumerate(boundaries):
-        line = SmoothLine.of(one).exact_beside(one.curve, survey.plane.x, survey.plane.y)
+        line = SmoothLine.of(one).exact_beside(one, survey.plane.x, survey.plane.y)
         along = dict(zip(NAMES, line.points.T, strict=True))
         columns = {
             "boundary": number,

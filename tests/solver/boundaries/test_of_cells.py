@@ -69,12 +69,12 @@ def test_boundaries_pass_where_branches_have_their_special_points(survey, bounda
             at = np.array([one.value for one in found.special if one.type == boundary.type])
             assert np.abs(at - k).min() < 1e-4, (boundary.type, k, at)
             # On a row of cells it is exact beside the middle of a cell, and only there.
-            exact = smooth.exact_beside(boundary.curve, k + np.array([-0.5, 0.01, 0.5]), np.array([BETWEEN]))
+            exact = smooth.exact_beside(boundary, k + np.array([-0.5, 0.01, 0.5]), np.array([BETWEEN]))
             (there,) = exact.points[exact.points[:, 1] == BETWEEN]
             assert np.abs(at - there[0]).min() < 1e-8, (boundary.type, there, at)
             assert len(exact.points) == len(exact.is_gait) == len(exact.borders_stable) == len(line) + 1
             assert np.array_equal(np.delete(exact.points, i + 1, axis=0), line)
-            far = smooth.exact_beside(boundary.curve, k + np.array([-0.5, 0.5]), np.array([BETWEEN]))
+            far = smooth.exact_beside(boundary, k + np.array([-0.5, 0.5]), np.array([BETWEEN]))
             assert np.array_equal(far.points, line)
     assert {"fold", "pd"} <= {one.type for one in boundaries}
 

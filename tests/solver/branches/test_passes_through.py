@@ -1,26 +1,27 @@
 """Whether a curve that was followed passes through a point, where another curve runs beside it."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
 from stridemap.solver.branches.arclength import CurvePoint, passes_through
 from stridemap.solver.branches.curve import ZeroCurve
 
-APART = 1e-4
-"""Distance of the two curves; half the distance of the doublings at k = 43, alpha = 0.0875 of the wobbling
-walker."""
 
-
+@dataclass(frozen=True)
 class TwoSines(ZeroCurve):
-    """``(u - sin p) (u - sin p - APART) = 0``."""
+    """``(u - sin p) (u - sin p - apart) = 0``."""
 
+    apart: float
     scale = np.ones(2)
 
     def linearised(self, x, n_rk):
         u, p = x
         first = u - np.sin(p)
-        slope = 2 * first - APART
-        return np.array([[slope, -slope * np.cos(p)]]) / APART, np.array([first * (first - APART)]) / APART
+        slope = (2 * first - self.apart) / abs(self.apart)
+        value = first * (first - self.apart) / abs(self.apart)
+        return np.array([[slope, -slope * np.cos(p)]]), np.array([value])
 
     def n_rk(self, x):
         return 24
@@ -40,18 +41,21 @@ POINTS = [on_the_first(p) for p in np.linspace(0.0, 3.0, 13)]
 
 
 @pytest.mark.quick
-@pytest.mark.parametrize("p", [0.003, 0.1, 0.25, 0.374, 1.61, 2.9])
-def test_a_point_of_the_curve_beside_it_is_not_one_of_the_curve(p):
-    assert passes_through(TwoSines(), POINTS, np.array([np.sin(p), p]))
-    assert not passes_through(TwoSines(), POINTS, np.array([np.sin(p) + APART, p]))
+@pytest.mark.parametrize("apart", [1e-3, 1e-4, -1e-4, 5e-5, -5e-5])
+def test_a_point_of_the_curve_beside_it_is_not_one_of_the_curve(apart):
+    """The doublings at k = 43, alpha = 0.0875 of the wobbling walker are 6e-5 apart."""
+    curve = TwoSines(apart)
+    for p in np.linspace(0.003, 2.997, 41).tolist():
+        assert passes_through(curve, POINTS, np.array([np.sin(p), p])), p
+        assert not passes_through(curve, POINTS, np.array([np.sin(p) + apart, p])), p
 
 
 @pytest.mark.quick
 def test_from_the_nearest_point_newtons_method_would_find_the_other_curve():
     """So that the test above asks for something."""
-    curve, lost = TwoSines(), 0
+    curve, lost = TwoSines(1e-4), 0
     for p in np.linspace(0.0, 3.0, 61):
-        x = np.array([np.sin(p) + APART, p])
+        x = np.array([np.sin(p) + curve.apart, p])
         nearest = min(POINTS, key=lambda one: np.linalg.norm(one.x - x))
         guess = nearest.x + curve.dot(x - nearest.x, nearest.tangent) * nearest.tangent
         found = curve.corrected(guess, nearest.tangent, 24, 10)
@@ -60,6 +64,10 @@ def test_from_the_nearest_point_newtons_method_would_find_the_other_curve():
 
 
 @pytest.mark.quick
-def test_beyond_its_last_point_and_far_away_it_passes_nothing():
-    for x in ([np.sin(3.2), 3.2], [np.sin(-0.2), -0.2], [0.5, 2.9], [5.0, 1.0]):
-        assert not passes_through(TwoSines(), POINTS, np.array(x))
+def test_a_little_beyond_its_last_point_it_goes_on_and_far_away_it_passes_nothing():
+    curve = TwoSines(1e-4)
+    for p in (3.2, -0.2):
+        assert passes_through(curve, POINTS, np.array([np.sin(p), p]))
+        assert not passes_through(curve, POINTS, np.array([np.sin(p) + curve.apart, p]))
+    for x in ([np.sin(4.0), 4.0], [0.5, 2.9], [5.0, 1.0]):
+        assert not passes_through(curve, POINTS, np.array(x))
