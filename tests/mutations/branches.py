@@ -442,6 +442,38 @@ FOLLOWED = (
 
 SPECIAL = (
     Mutation(
+        "solver/branches/arclength.py",
+        "if there is None or _jumps(curve, point, there):",
+        "if there is None:",
+        "a curve that runs beside another one is taken for it",
+        ("tests/solver/branches/test_passes_through.py",),
+    ),
+    Mutation(
+        "solver/branches/continuation.py",
+        "return np.clip(DIFFERENCE * part, DIFFERENCE, LARGEST_DIFFERENCE)",
+        "return np.clip(100 * DIFFERENCE * part, DIFFERENCE, LARGEST_DIFFERENCE)",
+        "derivatives along long lines are rough",
+        (
+            "tests/solver/branches/test_continuation.py::test_the_derivative_along_a_line_is_as_exact_on_a_short_one",
+        ),
+    ),
+    Mutation(
+        "solver/cycles/solver.py",
+        "old = (used >= USES) | (last[open_] > NEAR)",
+        "old = used >= USES",
+        "a derivative from far away serves for another Newton step",
+        (
+            "tests/solver/cycles/test_solver.py::test_a_long_way_from_where_a_search_ends_to_the_solution_is_gone",
+        ),
+    ),
+    Mutation(
+        "solver/cycles/acceptance.py",
+        "near &= ~(self.residual < self.noise())",
+        "near &= True",
+        "rounding is left to finer and finer resolutions",
+        ("tests/solver/cycles/test_solver.py::test_what_rounding_makes_is_left_to_no_finer_resolution",),
+    ),
+    Mutation(
         "solver/branches/special.py",
         "if not change and (not crossed or _hollow(crossed, one, other)):",
         "if not crossed or _hollow(crossed, one, other):",

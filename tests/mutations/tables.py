@@ -47,10 +47,31 @@ SWEEPS = (
     ),
     Mutation(
         "sweeps/tiles.py",
-        "        self._outgoing.append(guesses.take(~here))\n        guesses = guesses.take(here)",
-        "        guesses = guesses.take(here)",
+        "        self._outgoing.append(guesses.take(~here & ~passed.beyond))\n",
+        "",
         "branches end at the border of a tile",
         (f"{TILES}::test_what_leads_into_other_tiles_is_handed_on",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "BEYOND = 0.1",
+        "BEYOND = 0.0",
+        "cells just beyond a fold are not looked at",
+        (f"{TILES}::test_a_fold_just_beyond_a_cell_does_not_hide_its_two_cycles",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "        self._lost.append(guesses.take(~near & ~beyond))\n",
+        "",
+        "what is far from where a branch seems to pass is thrown away",
+        (f"{TILES}::test_a_cycle_is_not_lost_that_is_far_from_where_its_branch_seems_to_pass",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "return every, np.concatenate([guesses.u, ahead[differs]])",
+        "return every, np.concatenate([guesses.u, u[differs]])",
+        "searches do not set out on tangents",
+        (f"{TILES}::test_a_gait_is_found_from_one_beside_it_to_which_only_its_tangent_leads",),
     ),
     Mutation(
         "sweeps/tiles.py",

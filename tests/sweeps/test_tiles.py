@@ -286,7 +286,7 @@ def test_a_cycle_is_not_lost_that_is_far_from_where_its_branch_seems_to_pass(mon
     line = Line((49.5, 50.0, 50.5, 51.0), {"alpha": 0.15, "omega": 2.0})
     start = line.cycles(51.0).u[-1]
     periods = line.cycles(50.5).period
-    for same_branch in (tiles.SAME_BRANCH, 1e-6):
+    for same_branch in (tiles.SAME_BRANCH, 1e-12):
         monkeypatch.setattr(tiles, "SAME_BRANCH", same_branch)
         rows = line.result([(3, start)]).orbits
         here = rows["period"][rows["cell"] == 2]
@@ -312,3 +312,19 @@ def test_a_gait_is_found_from_one_beside_it_to_which_only_its_tangent_leads(monk
     assert np.abs(Line((0.5,), {"alpha": 0.925}).cycles(0.5).period - period).min() < 1e-10
     monkeypatch.setattr(Solver, "predicted", lambda solver, u, params, target: u)
     assert not len(work(task).orbits["period"])
+
+
+def test_a_search_from_another_cell_begins_at_the_solution_there_as_well(monkeypatch):
+    """Where the tangent leads to a cycle, what the solution itself leads to is not given up."""
+    begun = []
+    search = Solver.search
+    monkeypatch.setattr(Solver, "search", lambda solver, u, p: begun.append(u) or search(solver, u, p))
+    task = replace(beside_a_known_cycle(), known=Solutions.empty(6), seen=Solutions.empty(6))
+    found = work(task)
+    assert len(found.orbits["cell"])
+    there = task.incoming.u[0]
+    first = begun[0]
+    assert len(first) == 2
+    assert (first == there).all(axis=1).sum() == 1
+    # Families are joined by both.
+    assert 10**12 in found.joins[:, 0]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from stridemap.solver.branches import continuation
-from stridemap.solver.branches.continuation import Followed, Known, follow
+from stridemap.solver.branches.continuation import Followed, Known, _Lines, follow
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
@@ -225,3 +225,20 @@ def test_beyond_a_fold_a_branch_is_looked_for_on_both_sides_of_it():
         np.ones(2), curve.branch, curve.ahead, np.column_stack([u, 0.5 + u**2]), tangent * [1.0, -1.0]
     )
     assert other.crossings(np.array([0.496, 0.54]), beyond=0.005).position.tolist() == [1, 0, 0, 1]
+
+
+@pytest.mark.parametrize(("k", "low", "high"), [(22.7, 0.5, 60.0), (22.7, 22.5, 23.0), (8.2, 8.0, 8.5)])
+def test_the_derivative_along_a_line_is_as_exact_on_a_short_one(k, low, high):
+    """Held against the exact derivative in a direction."""
+    model = load("wobbling")
+    u, _ = cycles_at(model, k=k)
+    start, target = (np.tile(model.point({"k": end}), (len(u), 1)) for end in (low, high))
+    solver = Solver.for_model(model)
+    lines = _Lines(solver, start, target, IN_SWEEPS, RANGE, None)
+    s = np.full((len(u), 1), (k - low) / (high - low))
+    at = np.arange(len(u))
+    matrix, _ = lines._system(at, np.hstack([u, s]), np.full(len(u), 96))
+    along = np.hstack([np.zeros_like(u), target - start])
+    exact = solver.kernels.directional(96, u, lines._point(at, s), along, along).along_a
+    error = np.abs(matrix[:, :-1, -1] - exact).max(axis=1) / np.abs(exact).max(axis=1)
+    assert (error < 2e-6).all(), error

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from stridemap.solver.branches import arclength
 from stridemap.solver.branches.arclength import CurvePoint, passes_through
 from stridemap.solver.branches.curve import ZeroCurve
 
@@ -45,9 +46,16 @@ POINTS = [on_the_first(p) for p in np.linspace(0.0, 3.0, 13)]
 def test_a_point_of_the_curve_beside_it_is_not_one_of_the_curve(apart):
     """The doublings at k = 43, alpha = 0.0875 of the wobbling walker are 6e-5 apart."""
     curve = TwoSines(apart)
-    for p in np.linspace(0.003, 2.997, 41).tolist():
+    for p in np.linspace(0.003, 2.997, 14).tolist():
         assert passes_through(curve, POINTS, np.array([np.sin(p), p])), p
         assert not passes_through(curve, POINTS, np.array([np.sin(p) + apart, p])), p
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize("apart", [1e-3, -1e-3])
+def test_a_step_aside_is_noticed_where_steps_are_too_long(apart, monkeypatch):
+    monkeypatch.setattr(arclength, "SHORT", 0.1)
+    test_a_point_of_the_curve_beside_it_is_not_one_of_the_curve(apart)
 
 
 @pytest.mark.quick
