@@ -7,7 +7,7 @@ from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 
 Index = NDArray[np.int64]
 
-BATCH, FINE_BATCH = 40_000, 400_000
+BATCH, FINE_BATCH = 40_000, 100_000
 """RK steps that are kept in memory at once, those of all points together. So few stay in the processor's
 caches; where kernels are chained from pieces, each batch costs calls of its own, and is larger."""
 
