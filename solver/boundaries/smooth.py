@@ -20,6 +20,9 @@ NEAR = 0.1
 """Distance of a boundary from the middle of a cell, in terms of the distance of two cells, below which it is
 solved for; and of what is found from the cubic piece, in terms of a part's length, at most."""
 
+ON_IT = 1e-6
+"""Of a part's length: a point of the line that is so near to a row is on it."""
+
 
 @dataclass(frozen=True)
 class SmoothLine:
@@ -80,13 +83,16 @@ class SmoothLine:
         guess = cubics.value(cubic, tau[:, None])
         reach = np.linalg.norm((self.x[part + 1] - self.x[part]) / curve.scale, axis=1)
         apart = np.abs(guess[:, -2, None] - columns).min(axis=1)
-        near = np.flatnonzero(apart < NEAR * np.diff(columns).min())
+        along = tau * parts - place
+        # Where the line has a point on the row, as where a boundary was found, another one would be a kink.
+        inside = (along > ON_IT) & (along < 1 - ON_IT)
+        near = np.flatnonzero(inside & (apart < NEAR * np.diff(columns).min()))
         exact = []
         for i in near[np.lexsort((tau[near], piece[near]))].tolist():
             ahead = self.x[part[i] + 1] - self.x[part[i]]
             found = at_value(curve, guess[i], float(rows[row[i]]), ahead, 10)
             if found is not None and curve.norm(found.x - guess[i]) < NEAR * reach[i]:
-                exact.append((part[i] + 1, tau[i] * parts - place[i] < 0.5, found.x))
+                exact.append((part[i] + 1, along[i] < 0.5, found.x))
         if not exact:
             return self
         at, earlier, x = (np.array(column) for column in zip(*exact, strict=True))

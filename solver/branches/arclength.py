@@ -246,6 +246,8 @@ def _jumps(curve: ZeroCurve, here: CurvePoint, there: CurvePoint) -> bool:
     the two.
     """
     way, mean = there.x - here.x, here.tangent + there.tangent
+    if not way.any():
+        return False
     return curve.norm(way / curve.norm(way) - mean / curve.norm(mean)) > MAX_SIDESTEP
 
 
