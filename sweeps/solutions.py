@@ -13,7 +13,6 @@ Ints = NDArray[np.int64]
 NONE = -1
 """In the place of a row or a branch where there is none."""
 
-
 PARTS = 4
 """Into so many parts even a short branch is cut by those of its solutions that stand for it."""
 

@@ -287,7 +287,8 @@ class _Search:
         u, moved = self.solver.polished(guesses.u, self._points(guesses.cell))
         near, beyond = moved < SAME_BRANCH, guesses.branch == NONE
         solutions = Solutions(guesses.cell, u, guesses.branch)
-        self._beyond += [solutions.take(near & beyond)] if (near & beyond).any() else []
+        if (near & beyond).any():
+            self._beyond.append(solutions.take(near & beyond))
         self._lost.append(guesses.take(~near & ~beyond))
         return self._entered(solutions.take(near & ~beyond))
 

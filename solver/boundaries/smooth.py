@@ -15,7 +15,6 @@ Mask = NDArray[np.bool_]
 PARTS = 6
 """Parts into which each piece between two points is cut."""
 
-
 NEAR = 0.1
 """Distance of a boundary from the middle of a cell, in terms of the distance of two cells, below which it is
 solved for; and of what is found from the cubic piece, in terms of a part's length, at most."""
