@@ -1,51 +1,109 @@
-"""Branches on different lines that are one: that a guess leads from one to the other does not say so."""
+"""Branches on different lines that are one: that a guess leads from one to the other does not say so.
 
-from collections.abc import Callable
+A search may end far from its guess, on another branch. Following does not, but costs more. So it is done only
+where it decides whether two families are one, and when nothing new appears any more, for all tiles together.
+"""
+
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.sweeps.families import families
-from stridemap.sweeps.solutions import Guesses
+from stridemap.solver.branches.continuation import follow
+from stridemap.solver.cycles.duplicates import SEARCH_TOLERANCE
+from stridemap.solver.cycles.orbits import Orbits
+from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.model.scales import Scales
+from stridemap.sweeps.apart import one_by_one
+from stridemap.sweeps.families import families, with_smallest
+from stridemap.sweeps.software import refuse_other
+from stridemap.sweeps.solutions import NONE, SAME_BRANCH, Guesses, Links, Solutions
+from stridemap.sweeps.special_columns import special_columns
+from stridemap.sweeps.tasks import Result, Task
 
 Ints = NDArray[np.int64]
 
 ATTEMPTS = 2
-"""How often it is tried to follow two branches that may be one from a line to the line beside it. With four
-times, one of 27 families of a stiff spring was not in two parts, and following took twice as long."""
+"""How often it is tried to follow two branches that may be one from a line to the line beside it."""
+
+STEPS_ACROSS, DS_ACROSS = 60, 0.3
+"""Arclength steps at most from one cell to the one beside it, and the first of them in terms of the way."""
 
 
-def connections(guesses: Guesses, other: Ints, joins: Ints, followed: Callable[[Guesses], Ints]) -> Ints:
-    """Pairs of branches that are one, by following from cells to the cells beside them.
-
-    A search may end far from its guess, on another branch. Following does not, but costs more; so it is done
-    only where it decides whether two families are one.
+def open_links(links: Links, joins: Ints, attempts: int = 1) -> Ints:
+    """Which links may make one of two families: the first few of each pair of families.
 
     Parameters
     ----------
-    guesses : Guesses
+    links : Links
         Those to be tried first come first.
-    other : ndarray of int, shape (n,)
-        Branches to which searches from the guesses have led.
     joins : ndarray of int, shape (m, 2)
         Pairs of branches that are known to be one.
-    followed : callable
-        Guesses -> pairs of their branches and those to which following leads, shape (k, 2).
+    attempts : int
+        How many of each pair.
 
     Returns
     -------
-    ndarray of int, shape (j, 2)
-        What is not in `joins` yet.
+    ndarray of int
+        Rows of `links`, ascending.
     """
-    found = np.empty((0, 2), dtype=np.int64)
-    for _ in range(ATTEMPTS):
-        every = np.concatenate([joins, found])
-        pairs = np.sort(families(np.append(guesses.branch, other), every).reshape(2, -1), axis=0)
-        open_ = np.flatnonzero(pairs[0] != pairs[1])
-        if not len(open_):
-            break
-        _, first = np.unique(pairs[:, open_], axis=1, return_index=True)
-        found = np.concatenate([found, followed(guesses.take(open_[first]))])
-        open_ = np.delete(open_, first)
-        guesses, other = guesses.take(open_), other[open_]
-    return found
+    pairs = np.sort(families(np.append(links.branch, links.other), joins).reshape(2, -1), axis=0)
+    open_ = np.flatnonzero(pairs[0] != pairs[1])
+    _, pair, count = np.unique(pairs[:, open_], axis=1, return_inverse=True, return_counts=True)
+    order = np.argsort(pair.ravel(), kind="stable")
+    place = np.arange(len(open_)) - np.repeat(np.cumsum(count) - count, count)
+    return np.sort(open_[order[place < attempts]])
+
+
+def connect(task: Task) -> Result:
+    """Follow guesses from the cells in which they are solutions to their own.
+
+    Parameters
+    ----------
+    task : Task
+        Its incoming guesses are followed, to those solutions that were seen.
+
+    Returns
+    -------
+    Result
+        Pairs of branches that are one. A guess whose following raises is a failure of its cell.
+    """
+    refuse_other(task.software)
+    failures: dict[int, str] = {}
+    parts = one_by_one(
+        lambda guesses: _followed_across(task, guesses), task.incoming, task.incoming.cell, failures
+    )
+    joins = np.concatenate([np.empty((0, 2), dtype=np.int64), *parts])
+    width, none = task.incoming.u.shape[1], np.empty(0, dtype=np.int64)
+    return Result(
+        task.round,
+        task.tile,
+        {"cell": none, "branch": none, **Orbits.empty(task.model).columns()},
+        failures,
+        Solutions.empty(width),
+        Guesses.empty(width),
+        Links.empty(width),
+        with_smallest(joins),
+        special_columns(task.model, task.grid, task.params, []),
+        {},
+    )
+
+
+def _followed_across(task: Task, guesses: Guesses) -> Ints:
+    """Branches of guesses, and those to which they lead in the guesses' cells, as far as they do, (n, 2)."""
+    solver = Solver.for_model(task.model, task.backend, task.acceptance)
+    origin, there = (
+        task.grid.points(task.model, task.params, cells) for cells in (guesses.origin, guesses.cell)
+    )
+    options = task.continuation
+    ds, max_steps = max(DS_ACROSS, options.ds_min), min(options.max_steps, STEPS_ACROSS)
+    options = replace(options, ds=ds, ds_max=max(ds, 1.0), max_steps=max_steps)
+    begin, periods = np.zeros(len(guesses)), task.search.wider_period_range
+    followed = follow(solver, guesses.u, begin, origin, there, periods, options, upwards=True)
+    passed = followed.crossings(np.array([0.0, 1.0]))
+    end = passed.position == 1
+    row = passed.branch[end]
+    u, moved = solver.polished(passed.u[end], there[row])
+    arrived = Solutions(guesses.cell[row], u, guesses.branch[row]).take(moved < SAME_BRANCH)
+    at = arrived.same_as(task.seen, SEARCH_TOLERANCE, Scales.of(task.model).unknowns)
+    return np.column_stack([arrived.branch, task.seen.branch[at]])[at != NONE]

@@ -14,11 +14,13 @@ from numpy.typing import NDArray
 from stridemap.solver.cycles.degenerate import have_no_cycle, why_no_cycle
 from stridemap.solver.cycles.status import CODES, STATUSES, Status
 from stridemap.sweeps.config import SweepConfig
+from stridemap.sweeps.connections import open_links
 from stridemap.sweeps.families import families, with_smallest
 from stridemap.sweeps.files import GROUP_ROWS, Pieces
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.merging import FirstSeen, ranges
 from stridemap.sweeps.parts import orbit_columns, orbits_of
+from stridemap.sweeps.solutions import Links
 from stridemap.sweeps.special_tables import in_order, special_table_of
 from stridemap.sweeps.store import Store
 from stridemap.sweeps.tables import cell_schema, cell_table, orbit_schema
@@ -48,6 +50,7 @@ class Found:
         self.n_orbits = 0
         self._branches = FirstSeen()
         self._joins = [np.empty((0, 2), dtype=np.int64)]
+        self._links: list[Links] = []
         self._special: list[pa.Table] = []
 
     def counted(self, result: Result) -> int:
@@ -61,6 +64,7 @@ class Found:
         for (where, status), n in result.discarded.items():
             self.discarded[where, CODES[Status(status)]] += n
         self._joins.append(result.joins)
+        self._links.append(result.links)
         if len(special := special_table_of(self.model, result.special)):
             self._special.append(special)
         columns = (result.orbits[name] for name in ("branch", "cell", "period"))
@@ -72,15 +76,18 @@ class Found:
         self._branches.add(branch[counts], cell[counts], period[counts])
         self.n_orbits += int(counts.sum())
 
-    def joins_of(self, branches: Ints) -> Ints:
-        """Those of some branches that are one with another, each with the smallest of its family."""
-        if len(self._joins) > 1:
-            self._joins = [with_smallest(np.concatenate(self._joins))]
-        names, smallest = self._joins[0].T
-        at = np.searchsorted(names, branches)
-        known = np.flatnonzero(at < len(names))
-        known = known[names[at[known]] == branches[known]]
-        return np.column_stack([branches[known], smallest[at[known]]])
+    @property
+    def joins(self) -> Ints:
+        """Branches that are one with others, each with the smallest of its family, shape (n, 2)."""
+        self._joins = [with_smallest(np.concatenate(self._joins))]
+        return self._joins[0]
+
+    def next_links(self) -> Links:
+        """Links to be followed that have not been: one for each pair of families that may be one."""
+        links = Links.concatenate(self._links, len(self.model.section) + 1)
+        at = open_links(links, self.joins)
+        self._links = [links.take(np.delete(np.arange(len(links)), at))]
+        return links.take(at)
 
     def tables(self, store: Store) -> tuple[Pieces, Pieces, pa.Table]:
         """Limit cycles and cells, which are made as they are written, and special points.
@@ -93,7 +100,7 @@ class Found:
         special = pa.concat_tables([special_table_of(self.model, {}), *self._special])
         # Cycles come first: families of which there is none in a cell get the numbers after theirs.
         met, beside = self._branches.branches(), special["branch"].to_numpy()
-        numbers = families(np.concatenate([met, beside]), np.concatenate(self._joins))
+        numbers = families(np.concatenate([met, beside]), self.joins)
         axis = self.grid.longest_axis
         width = float(np.ptp(self.grid.axes[axis])) or 1.0
         special = in_order(self.model, self.grid.names[axis], width, _numbered(special, numbers[len(met) :]))

@@ -8,18 +8,18 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from stridemap.solver.model.model import Model
-from stridemap.sweeps.solutions import Guesses, Solutions
+from stridemap.sweeps.solutions import Guesses, Links, Solutions
 from stridemap.sweeps.special_tables import special_table_of
 from stridemap.sweeps.tables import orbit_schema, special_schema, table_of
 from stridemap.sweeps.tasks import Result
 
-KIND, REASON, NUMBER = "_kind", "_reason", "_number"
-"""Columns of a part that orbits lack: what a row is, why a cell failed, and a number. A row of solutions that
-were thrown away has their status as its reason, and how many they are as its number; one that joins two
-branches has the other branch as its number, a guess the cell that it comes from."""
+KIND, REASON, NUMBER, OTHER = "_kind", "_reason", "_number", "_other"
+"""Columns of a part that orbits lack: what a row is, why a cell failed, a number, and another branch. A row
+of solutions that were thrown away has their status as its reason, and how many they are as its number; a
+guess or a link has the cell that it comes from as its number."""
 
-ORBIT, FAILURE, SEEN, GUESS, DISCARDED, JOIN, SPECIAL = (
-    "orbit", "failure", "seen", "guess", "discarded", "join", "special"
+ORBIT, FAILURE, SEEN, GUESS, LINK, DISCARDED, JOIN, SPECIAL = (
+    "orbit", "failure", "seen", "guess", "link", "discarded", "join", "special"
 )  # fmt: skip
 """Kinds of rows of a part."""
 
@@ -44,8 +44,9 @@ def part_table(model: Model, result: Result) -> pa.Table:
         },
         SEEN: _columns(model, result.seen),
         GUESS: {**_columns(model, result.outgoing), NUMBER: result.outgoing.origin},
+        LINK: {**_columns(model, result.links), NUMBER: result.links.origin, OTHER: result.links.other},
         SPECIAL: columns_of(special_table_of(model, result.special)),
-        JOIN: {"branch": result.joins[:, 0], NUMBER: result.joins[:, 1]},
+        JOIN: {"branch": result.joins[:, 0], OTHER: result.joins[:, 1]},
     }
     schema = _schema(model)
     return pa.concat_tables([_rows(schema, kind, columns) for kind, columns in of_kind.items()])
@@ -80,7 +81,8 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
         dict(zip(failed["cell"].to_pylist(), failed[REASON].to_pylist(), strict=True)),
         solutions_of(model, rows(SEEN)),
         guesses_of(model, part),
-        np.column_stack([joins[name].to_numpy() for name in ("branch", NUMBER)]),
+        _links_of(model, rows(LINK)),
+        np.column_stack([joins[name].to_numpy() for name in ("branch", OTHER)]),
         columns_of(special),
         {(cell, status): n for cell, status, n in lost},
     )
@@ -88,7 +90,7 @@ def result_of(model: Model, round_: int, tile: int, part: pa.Table) -> Result:
 
 def counted_columns(model: Model, special: bool) -> list[str]:
     """The columns of a part that are needed to take account of it, special points included or not."""
-    names = [*guess_columns(model), "stable", REASON]
+    names = [*guess_columns(model), "stable", REASON, OTHER]
     return list(dict.fromkeys(names + (special_schema(model).names if special else [])))
 
 
@@ -114,6 +116,12 @@ def guesses_of(model: Model, part: pa.Table) -> Guesses:
     guesses = part.filter(pc.equal(part[KIND], GUESS))
     made = solutions_of(model, guesses)
     return Guesses(made.cell, made.u, made.branch, guesses[NUMBER].to_numpy())
+
+
+def _links_of(model: Model, rows: pa.Table) -> Links:
+    """The links of rows."""
+    made = solutions_of(model, rows)
+    return Links(made.cell, made.u, made.branch, rows[NUMBER].to_numpy(), rows[OTHER].to_numpy())
 
 
 def guess_columns(model: Model) -> list[str]:
@@ -153,5 +161,9 @@ def _schema(model: Model) -> pa.Schema:
     fields = [field.with_nullable(True) for field in orbit_schema(model)]
     have = set(orbit_schema(model).names)
     fields += [field.with_nullable(True) for field in special_schema(model) if field.name not in have]
-    fields += [pa.field(KIND, pa.string()), pa.field(REASON, pa.string()), pa.field(NUMBER, pa.int64())]
+    fields += [
+        pa.field(KIND, pa.string()),
+        pa.field(REASON, pa.string()),
+        *(pa.field(name, pa.int64()) for name in (NUMBER, OTHER)),
+    ]
     return pa.schema(fields)

@@ -3,8 +3,9 @@
 Many starts on a subgrid give the first cycles. The branch of each is followed along its line of the grid,
 around folds, and from some of its cycles Newton's method is started in the cells beside them, until nothing
 new appears. The grid is cut into tiles. In one round, each tile with incoming guesses is worked on by itself;
-what reaches another tile waits for the next round. Tiles and rounds do not depend on the number of workers,
-so neither do the tables.
+what reaches another tile waits for the next round. When nothing new appears any more, the branches of
+different lines are followed to each other that may be one. Tiles and rounds do not depend on the number of
+workers, so neither do the tables.
 """
 
 import contextlib
@@ -13,7 +14,8 @@ from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, field
-from itertools import count
+from functools import partial
+from itertools import count, islice
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +29,7 @@ from stridemap.solver.backends.base import Backend
 from stridemap.solver.backends.selection import load_kernels, named_backend
 from stridemap.sweeps.cluster import cluster, scheduler_address
 from stridemap.sweeps.config import MAX_COUNT, SweepConfig, load_config, parse_config
+from stridemap.sweeps.connections import ATTEMPTS, connect
 from stridemap.sweeps.executors import interrupts_held, processes
 from stridemap.sweeps.failures import explained, no_workers
 from stridemap.sweeps.files import read
@@ -43,7 +46,7 @@ from stridemap.sweeps.parts import (
     result_of,
 )
 from stridemap.sweeps.provenance import provenance
-from stridemap.sweeps.solutions import Guesses, Solutions
+from stridemap.sweeps.solutions import Guesses, Links, Solutions
 from stridemap.sweeps.store import CELLS, SPECIAL, Store, table_path
 from stridemap.sweeps.tasks import Result, Task
 from stridemap.sweeps.tiles import work
@@ -53,6 +56,9 @@ Ints = NDArray[np.int64]
 
 MOST_WORKERS = 1024
 """Processes of one sweep: each takes some 200 MB, and no machine has as many cores."""
+
+LINKS = 1000
+"""How many links a worker is given to follow: the more, the less a link costs."""
 
 AHEAD = 4
 """How many tiles are submitted at a time for each worker of this machine."""
@@ -230,14 +236,28 @@ class _Run:
         owner = self.tiles.tile_of(seeds)
         given: dict[int, Ints] = {tile: seeds[owner == tile] for tile in np.unique(owner).tolist()}
         senders: dict[int, list[int]] = {}
-        for round_ in count(1):
-            senders = self._run_round(pool, round_, given, senders)
+        rounds = count(1)
+        while given:
+            round_ = next(rounds)
+            tasks = {
+                tile: partial(self._tile_task, round_, tile, given[tile], senders.get(tile, []))
+                for tile in given
+            }
+            senders = self._run_round(pool, work, round_, tasks)
             given = dict.fromkeys(sorted(senders), seeds[:0])
-            if not given:
-                return self._finish()
-        raise AssertionError("count has no end")
+        for round_ in islice(rounds, ATTEMPTS):
+            links = self.found.next_links()
+            if not len(links):
+                break
+            seen = self._seen_in(links.cell)
+            tasks = {
+                number: partial(self._link_task, round_, number, links, seen)
+                for number in range(-(-len(links) // LINKS))
+            }
+            self._run_round(pool, connect, round_, tasks)
+        return self._finish()
 
-    def _task(self, round_: int, tile: int, seeds: Ints, senders: Sequence[int]) -> Task:
+    def _tile_task(self, round_: int, tile: int, seeds: Ints, senders: Sequence[int]) -> Task:
         """What a worker needs, read from the parts that earlier rounds have left."""
         columns, known, seen = known_columns(self.model), [], []
         for one in self.found.parts:
@@ -249,9 +269,39 @@ class _Run:
         for sender in senders:
             sent = guesses_of(self.model, self.store.read_part(round_ - 1, sender, guess_columns(self.model)))
             incoming.append(sent.take(self.tiles.tile_of(sent.cell) == tile))
-        given = Guesses.concatenate(incoming, self.width)
-        met = Solutions.concatenate(seen, self.width)
-        branches = np.unique(np.concatenate([given.branch, met.branch]))
+        return self._task(
+            round_,
+            tile,
+            cells=self.tiles[tile],
+            seeds=seeds,
+            incoming=Guesses.concatenate(incoming, self.width),
+            known=Solutions.concatenate(known, self.width),
+            seen=Solutions.concatenate(seen, self.width),
+        )
+
+    def _link_task(self, round_: int, number: int, links: Links, seen: Solutions) -> Task:
+        """What a worker needs to follow some of the links."""
+        links = links.take(np.arange(LINKS * number, min(LINKS * (number + 1), len(links))))
+        cells = np.unique(links.cell)
+        return self._task(
+            round_,
+            number,
+            cells=cells,
+            seeds=cells[:0],
+            incoming=Guesses(links.cell, links.u, links.branch, links.origin),
+            known=Solutions.empty(self.width),
+            seen=seen.take(np.isin(seen.cell, cells)),
+        )
+
+    def _seen_in(self, cells: Ints) -> Solutions:
+        """What the search gave in some cells."""
+        columns = known_columns(self.model)
+        parts = (known_of(self.model, self.store.read_part(*one, columns)) for one in self.found.parts)
+        seen = [solutions.take(np.isin(solutions.cell, cells)) for _, solutions in parts]
+        return Solutions.concatenate(seen, self.width)
+
+    def _task(self, round_: int, tile: int, **parts: Any) -> Task:
+        """A task of this sweep."""
         return Task(
             model=self.model,
             grid=self.grid,
@@ -263,49 +313,50 @@ class _Run:
             backend=self.backend,
             round=round_,
             tile=tile,
-            cells=self.tiles[tile],
-            seeds=seeds,
-            incoming=given,
-            known=Solutions.concatenate(known, self.width),
-            seen=met,
-            joins=self.found.joins_of(branches),
+            **parts,
         )
 
     def _run_round(
-        self, pool: Executor, round_: int, given: Mapping[int, Ints], senders: Mapping[int, list[int]]
+        self,
+        pool: Executor,
+        method: Callable[[Task], Result],
+        round_: int,
+        tasks: Mapping[int, Callable[[], Task]],
     ) -> dict[int, list[int]]:
-        """Compute the tiles of a round that no earlier run finished.
+        """Compute what no earlier run finished of a round.
 
         Parameters
         ----------
         pool : Executor
+        method : callable
+            What workers do.
         round_ : int
-        given : mapping of int to ndarray of int
-            The tiles, ascending, and the cells of each that get many starts.
-        senders : mapping of int to list of int
-            The tiles that have sent guesses to a tile in the round before.
+        tasks : mapping of int to callable
+            What makes each task when it is its turn, by ascending numbers: those of tiles, or of pieces.
 
         Returns
         -------
         dict of int to list of int
-            The senders of the next round.
+            The tiles that have sent guesses to a tile.
         """
-        open_ = [tile for tile in given if not self.store.has_part(round_, tile)]
-        finished, found = len(given) - len(open_), 0
-        self._report(round_, finished, len(given))
-        tasks = (self._task(round_, tile, given[tile], senders.get(tile, [])) for tile in open_)
-        with contextlib.closing(self._computed(pool, tasks)) as results:
+        open_ = [number for number in tasks if not self.store.has_part(round_, number)]
+        finished, found = len(tasks) - len(open_), 0
+        self._report(round_, finished, len(tasks))
+        made = (tasks[number]() for number in open_)
+        with contextlib.closing(self._computed(pool, method, made)) as results:
             for result in results:
                 self.store.write_part(result.round, result.tile, part_table(self.model, result))
                 finished += 1
                 found += self.found.counted(result)
-                self._report(round_, finished, len(given), found)
+                self._report(round_, finished, len(tasks), found)
         # Read back in the order of tiles, whatever the order in which they were finished.
         columns = counted_columns(self.model, self.config.special_points)
-        parts = ((tile, self.store.read_part(round_, tile, columns)) for tile in given)
-        return self._absorb(result_of(self.model, round_, tile, part) for tile, part in parts)
+        parts = ((number, self.store.read_part(round_, number, columns)) for number in tasks)
+        return self._absorb(result_of(self.model, round_, number, part) for number, part in parts)
 
-    def _computed(self, pool: Executor, tasks: Iterator[Task]) -> Generator[Result, None, None]:
+    def _computed(
+        self, pool: Executor, method: Callable[[Task], Result], tasks: Iterator[Task]
+    ) -> Generator[Result, None, None]:
         """Results as they are finished; only so many tasks are made ahead of them."""
         sizes: dict[Future[Result], int] = {}
         count_, size = self.ahead
@@ -315,7 +366,7 @@ class _Run:
                     if (task := next(tasks, None)) is None:
                         break
                     with interrupts_held():  # processes are started where tasks are submitted
-                        sizes[pool.submit(work, task)] = task.size
+                        sizes[pool.submit(method, task)] = task.size
                 if not sizes:
                     return
                 done, _ = wait(list(sizes), return_when=FIRST_COMPLETED)

@@ -13,6 +13,10 @@ Ints = NDArray[np.int64]
 NONE = -1
 """In the place of a row or a branch where there is none."""
 
+SAME_BRANCH = 0.05
+"""Largest distance of a solution from where its branch passes the cell, in terms of the scales; what is
+farther away is another solution."""
+
 PARTS = 4
 """Into so many parts even a short branch is cut by those of its solutions that stand for it."""
 
@@ -100,3 +104,16 @@ class Guesses(Solutions):
     """
 
     origin: Ints
+
+
+@dataclass(frozen=True)
+class Links(Guesses):
+    """Guesses from which a search has led to another branch, which may be the same one.
+
+    Parameters
+    ----------
+    other : ndarray of int, shape (n,)
+        That branch.
+    """
+
+    other: Ints

@@ -16,7 +16,7 @@ from stridemap.solver.model.model import Model
 from stridemap.solver.options import AcceptanceOptions, ContinuationOptions, SearchOptions
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.software import software
-from stridemap.sweeps.solutions import Guesses, Solutions
+from stridemap.sweeps.solutions import Guesses, Links, Solutions
 
 Ints = NDArray[np.int64]
 
@@ -46,8 +46,6 @@ class Task:
         Cycles that the tile's cells have already.
     seen : Solutions
         What the search gave there, before it converged: the cycles, and what turned out not to be one.
-    joins : ndarray of int, shape (m, 2)
-        Branches of `incoming` and `seen` that are one with others, each with the smallest of its family.
     special_points : bool
         Whether they are located.
     software : dict of str to str
@@ -68,7 +66,6 @@ class Task:
     incoming: Guesses
     known: Solutions
     seen: Solutions
-    joins: Ints = field(default_factory=lambda: np.empty((0, 2), dtype=np.int64))
     special_points: bool = True
     software: dict[str, str] = field(default_factory=lambda: dict(software()))
 
@@ -93,6 +90,8 @@ class Result:
         What is to be added to the task's.
     outgoing : Guesses
         For cells of other tiles.
+    links : Links
+        Where following decides whether two branches are one.
     joins : ndarray of int, shape (n, 2)
         Pairs of branches that are one.
     special : mapping of str to sequence, length n
@@ -107,6 +106,7 @@ class Result:
     failures: dict[int, str]
     seen: Solutions
     outgoing: Guesses
+    links: Links
     joins: Ints
     special: Mapping[str, Any]
     discarded: dict[tuple[int, str], int]

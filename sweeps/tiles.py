@@ -5,7 +5,6 @@ A pure function of its input, so that the result does not depend on who computes
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
@@ -21,12 +20,13 @@ from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import FOUND, STATUSES
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.scales import Scales
+from stridemap.sweeps.apart import one_by_one
 from stridemap.sweeps.changes import Stretches
-from stridemap.sweeps.connections import connections
+from stridemap.sweeps.connections import ATTEMPTS, open_links
 from stridemap.sweeps.families import with_smallest
 from stridemap.sweeps.lines import Lines
 from stridemap.sweeps.software import refuse_other
-from stridemap.sweeps.solutions import NONE, Guesses, Solutions
+from stridemap.sweeps.solutions import NONE, SAME_BRANCH, Guesses, Links, Solutions
 from stridemap.sweeps.special import Locator, SpecialPoint
 from stridemap.sweeps.special_columns import special_columns
 from stridemap.sweeps.tasks import Result, Task
@@ -35,10 +35,6 @@ _T = TypeVar("_T")
 _S = TypeVar("_S", bound=Solutions)
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
-
-SAME_BRANCH = 0.05
-"""Largest distance of a solution from where its branch passes the cell, in terms of the scales; what is
-farther away is another solution."""
 
 ACROSS = 16
 """Of at most so many solutions in a row along a branch, one is tried in the cells beside its own."""
@@ -49,9 +45,6 @@ BEYOND = 0.1
 BESIDE = 0.2
 """A guess that is no farther from a known solution of its cell, in terms of scales, leads there: no search
 begins at it."""
-
-STEPS_ACROSS, DS_ACROSS = 60, 0.3
-"""Arclength steps at most from one cell to the one beside it, and the first of them in terms of the way."""
 
 BRANCHES = 2**32
 """Numbers of branches that a tile has for its own."""
@@ -88,6 +81,7 @@ def work(task: Task) -> Result:
         search.failures,
         search.new,
         search.outgoing,
+        search.links,
         search.joins,
         special_columns(task.model, task.grid, task.params, special),
         dict(search.discarded),
@@ -110,7 +104,8 @@ class _Search:
         self._outgoing: list[Guesses] = []
         self._lost: list[Guesses] = []  # where a branch seemed to pass a cell and nothing was near
         self._beyond: list[Solutions] = []  # on no branch yet, from just beyond folds
-        self._links: list[tuple[Guesses, Solutions]] = []
+        self._arrivals: list[tuple[Guesses, Solutions]] = []
+        self.links = Links.empty(self.width)  # what following is to decide
         self._joins: list[tuple[Ints, Ints]] = []
         self._followed: list[tuple[Solutions, Followed]] = []
         self._next = task.tile * BRANCHES + len(np.unique(task.seen.branch))
@@ -151,12 +146,12 @@ class _Search:
         while len(guesses) or self._beyond:
             guesses = self._not_beside_known(guesses)
             arrived = self._one_by_one(self._solve, guesses, guesses.cell)
-            self._links += arrived
+            self._arrivals += arrived
             beyond, self._beyond = self._beyond, []
             found = self._along_lines(self._all([*(solutions for _, solutions in arrived), *beyond]))
             lost, self._lost = self._lost, []
             guesses = self._guesses([self._across(found), *lost])
-        self._connect()
+        self._link()
 
     def gaits(self) -> tuple[Ints, Ints, Orbits]:
         """New limit cycles: their cells, ascending, and branches."""
@@ -228,7 +223,7 @@ class _Search:
         row[guesses.cell == guesses.origin] = NONE
         beside = np.flatnonzero(row != NONE)
         known = self.known.take(row[beside])
-        self._links.append((guesses.take(beside), Solutions(known.cell, known.u, guesses.branch[beside])))
+        self._arrivals.append((guesses.take(beside), Solutions(known.cell, known.u, guesses.branch[beside])))
         return guesses.take(row == NONE)
 
     def _solve(self, guesses: Guesses) -> tuple[Guesses, Solutions]:
@@ -322,40 +317,19 @@ class _Search:
         self._outgoing.append(guesses.take(~here))
         return guesses.take(here)
 
-    def _connect(self) -> None:
-        """Note which branches of different lines, or of different tiles, are one."""
-        guesses = self._guesses([part for part, _ in self._links])
-        arrived = self._all([part for _, part in self._links])
+    def _link(self) -> None:
+        """Note which branches of different lines, or of different tiles, are one, or may be."""
+        guesses = self._guesses([part for part, _ in self._arrivals])
+        arrived = self._all([part for _, part in self._arrivals])
         away = np.abs((arrived.u - guesses.u) / self.scale).max(axis=1, initial=0.0)
         along = guesses.origin == guesses.cell
         self._join(arrived.take(along & (away < SAME_BRANCH)))
         at = self._same(arrived)
         order = np.argsort(away, kind="stable")
         order = order[(~along & (at != NONE))[order]]
-        joins = np.concatenate([self.task.joins, self.joins])
-        pairs = connections(guesses.take(order), self.known.branch[at[order]], joins, self._pairs_across)
-        self._joins.append((pairs[:, 0], pairs[:, 1]))
-
-    def _pairs_across(self, guesses: Guesses) -> Ints:
-        """What `_followed_across` gives, shape (n, 2)."""
-        parts = self._one_by_one(self._followed_across, guesses, guesses.cell)
-        return np.concatenate([np.empty((0, 2), dtype=np.int64), *map(np.column_stack, parts)])
-
-    def _followed_across(self, guesses: Guesses) -> tuple[Ints, Ints]:
-        """Branches of guesses, and those to which they lead in the guesses' cells, as far as they do."""
-        origin, there = self._points(guesses.origin), self._points(guesses.cell)
-        begin, periods = np.zeros(len(guesses)), self.task.search.wider_period_range
-        options = self.task.continuation
-        ds, max_steps = max(DS_ACROSS, options.ds_min), min(options.max_steps, STEPS_ACROSS)
-        options = replace(options, ds=ds, ds_max=max(ds, 1.0), max_steps=max_steps)
-        followed = follow(self.solver, guesses.u, begin, origin, there, periods, options, upwards=True)
-        passed = followed.crossings(np.array([0.0, 1.0]))
-        end = passed.position == 1
-        row = passed.branch[end]
-        u, moved = self.solver.polished(passed.u[end], there[row])
-        arrived = Solutions(guesses.cell[row], u, guesses.branch[row]).take(moved < SAME_BRANCH)
-        at = self._same(arrived)
-        return arrived.branch[at != NONE], self.known.branch[at[at != NONE]]
+        one = guesses.take(order)
+        links = Links(one.cell, one.u, one.branch, one.origin, self.known.branch[at[order]])
+        self.links = links.take(open_links(links, self.joins, ATTEMPTS))
 
     def _converge(self, solutions: Solutions) -> tuple[Solutions, Orbits]:
         """Limit cycles that are not known, from solutions of the search."""
@@ -383,20 +357,7 @@ class _Search:
 
     def _one_by_one(self, method: Callable[[_S], _T], solutions: _S, group: Ints) -> list[_T]:
         """Apply a method to all solutions; where that raises, to those of each group by themselves."""
-        if not len(solutions):
-            return []
-        try:
-            return [method(solutions)]
-        except Exception:
-            out = []
-            for one in np.unique(group):
-                part = solutions.take(group == one)
-                try:
-                    out.append(method(part))
-                except Exception as error:
-                    for cell in part.cell.tolist():
-                        self.failures[cell] = f"{type(error).__name__}: {error}"
-            return out
+        return one_by_one(method, solutions, group, self.failures)
 
     def _numbered(self, solutions: Solutions) -> Solutions:
         """Solutions with numbers of branches of their own."""

@@ -95,11 +95,14 @@ SWEEPS = (
         (f"{TILES}::test_no_search_begins_beside_a_known_cycle_and_yet_the_branches_are_one",),
     ),
     Mutation(
-        "sweeps/tiles.py",
-        "joins = np.concatenate([self.task.joins, self.joins])",
-        "joins = self.joins",
+        "sweeps/found.py",
+        "at = open_links(links, self.joins)",
+        "at = open_links(links, self.joins[:0])",
         "branches that are known to be one are followed to each other again",
-        (f"{TILES}::test_branches_that_are_known_to_be_one_are_not_followed_to_each_other_again",),
+        (
+            "tests/sweeps/test_run.py::test_branches_are_followed_to_each_other_when_nothing_new_appears_and"
+            "_if_they_are_not_one_yet",
+        ),
     ),
     Mutation(
         "sweeps/families.py",

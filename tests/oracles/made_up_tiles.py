@@ -4,7 +4,7 @@ from concurrent.futures import Executor, Future
 
 import numpy as np
 
-from stridemap.sweeps.solutions import Guesses, Solutions
+from stridemap.sweeps.solutions import Guesses, Links, Solutions
 from stridemap.sweeps.tables import orbit_schema
 from stridemap.sweeps.tasks import Result
 
@@ -57,7 +57,7 @@ class MadeUp(Executor):
         seen = Solutions(cell, u, branch)
         return Result(
             task.round, task.tile, {**columns, "branch": branch}, {}, seen,
-            self.outgoing(task, seen), np.column_stack([branch, branch])[:9], {},
+            self.outgoing(task, seen), Links.empty(u.shape[1]), np.column_stack([branch, branch])[:9], {},
             {(one, "not_a_step"): 1 for one in cells.tolist()} if first else {},
         )  # fmt: skip
 

@@ -7,6 +7,7 @@ import pytest
 
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.parts import columns_of, counted_columns, part_table, result_of
+from stridemap.sweeps.solutions import Links
 from stridemap.sweeps.special_tables import special_table_of
 from stridemap.sweeps.tables import table_of
 from tests.oracles.kernels import needs_compiler
@@ -33,6 +34,13 @@ def test_a_part_is_the_whole_result(cells):
         special=columns_of(special_table_of(model, result.special)),
         outgoing=dataclasses.replace(result.outgoing, origin=result.outgoing.cell + 7),
         failures={1: "ValueError: boom", 0: "é, ∞"},
+        links=Links(
+            np.array([1, 0]),
+            np.arange(12.0).reshape(2, 6),
+            np.array([2**33, 5]),
+            np.array([4, 3]),
+            np.array([7, 2**40]),
+        ),
         joins=np.array([[5, 7], [1, 2**40]]),
         discarded={(0, "not_a_step"): 3, (1, "later_touchdown"): 1},
     )
@@ -48,5 +56,5 @@ def test_a_part_is_the_whole_result(cells):
     none = columns_of(table_of(model, nothing.orbits))
     special = columns_of(special_table_of(model, nothing.special))
     nothing = dataclasses.replace(nothing, orbits=none, special=special, failures={}, discarded={})
-    assert len(none["cell"]) == len(nothing.joins) == 0
+    assert len(none["cell"]) == len(nothing.joins) == len(nothing.links) == 0
     assert same(result_of(model, nothing.round, nothing.tile, part_table(model, nothing)), nothing)

@@ -7,6 +7,7 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from importlib.metadata import version
+from operator import itemgetter
 
 import numpy as np
 import pandas as pd
@@ -24,7 +25,9 @@ from stridemap.solver.model.files import GENERATED
 from stridemap.solver.model.loading import load
 from stridemap.sweeps import run
 from stridemap.sweeps.config import canonical_json, parse_config
+from stridemap.sweeps.connections import connect
 from stridemap.sweeps.families import smallest_of_family
+from stridemap.sweeps.solutions import Links
 from stridemap.sweeps.store import read_cells, read_orbits, read_provenance
 from tests.oracles.reference import REFERENCE
 from tests.oracles.shared import once
@@ -66,7 +69,7 @@ def test_a_file_and_a_configuration_are_the_same(reference, tmp_path):
 
 
 class Keeping(Remembering):
-    """Keeps what it was given, and what came of it."""
+    """Keeps what it was given, what came of it, and whether that was to follow links."""
 
     def __init__(self):
         super().__init__()
@@ -74,22 +77,33 @@ class Keeping(Remembering):
 
     def submit(self, function, task):
         done = super().submit(function, task)
-        self.kept.append((task, done.result()))
+        self.kept.append((task, done.result(), function is connect))
         return done
 
 
-def test_later_rounds_are_told_which_branches_are_one(tmp_path):
-    executor = Keeping()
-    sweep(CONFIG, tmp_path, executor=executor, tile_cells=3)
-    told = 0
-    for task, _ in executor.kept:
-        earlier = [result.joins for other, result in executor.kept if other.round < task.round]
-        branches = np.unique(np.concatenate([task.incoming.branch, task.seen.branch]))
-        smallest = smallest_of_family(branches, np.concatenate([np.empty((0, 2), dtype=int), *earlier]))
-        expected = np.column_stack([branches, smallest])[branches != smallest]
-        np.testing.assert_array_equal(task.joins, expected)
-        told += len(expected)
-    assert told > 0
+def test_branches_are_followed_to_each_other_when_nothing_new_appears_and_if_they_are_not_one_yet(
+    tmp_path, monkeypatch
+):
+    followed, joined = 0, 0
+    for links in (1000, 2):
+        monkeypatch.setattr(run, "LINKS", links)
+        executor = Keeping()
+        sweep(CONFIG, tmp_path / str(links), executor=executor, tile_cells=3)
+        assert tables(tmp_path / str(links)) == tables(tmp_path / "1000")
+        results = [result for _, result, _ in executor.kept]
+        every = Links.concatenate([result.links for result in results], 6)
+        for task, result, _ in filter(itemgetter(2), executor.kept):
+            assert 1 <= len(task.incoming) <= links
+            assert not len(result.links) and not len(result.seen)
+            known = np.concatenate([one.joins for one in results if one.round < task.round])
+            for u, branch in zip(task.incoming.u, task.incoming.branch, strict=True):
+                (row,) = np.flatnonzero((every.u == u).all(axis=1) & (every.branch == branch))[:1]
+                one, other = smallest_of_family(np.array([branch, every.other[row]]), known)
+                assert one != other
+                followed += 1
+            joined += len(result.joins)
+    assert followed > 2
+    assert joined > 0
 
 
 # -- what is in the tables -----------------------------------------------------------------------------------

@@ -5,10 +5,11 @@ import pytest
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from stridemap.sweeps.connections import open_links
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.lines import Lines
-from stridemap.sweeps.solutions import NONE, Solutions
+from stridemap.sweeps.solutions import NONE, Links, Solutions
 
 pytestmark = pytest.mark.quick
 
@@ -50,6 +51,19 @@ def test_families_are_connected_and_numbered_as_they_appear():
     assert families(np.array([1, 2, 3, 4]), np.array([[1, 3], [2, 4]])).tolist() == [0, 1, 0, 1]
     assert families(branch[:0], joins).tolist() == []
     assert families(branch, joins[:0]).tolist() == [0, 1, 2, 1, 3, 4]
+
+
+def test_links_are_followed_where_they_decide_whether_two_families_are_one():
+    branch, other = np.array([[1, 2], [3, 2], [2, 1], [1, 4], [5, 4], [2, 1], [4, 3]]).T
+    cells = np.arange(len(branch))
+    links = Links(cells, np.zeros((len(cells), 6)), branch, cells, other)
+    joins = np.array([[5, 4]])  # so that the fifth decides nothing
+    assert open_links(links, joins).tolist() == [0, 1, 3, 6]
+    assert open_links(links, joins, attempts=2).tolist() == [0, 1, 2, 3, 6]
+    # With 3 and 1 in one family, the second is about the same pair as the first.
+    assert open_links(links, np.array([[5, 4], [3, 1]])).tolist() == [0, 3]
+    assert open_links(links, np.array([[1, 2], [2, 3], [3, 4], [4, 5]])).tolist() == []
+    assert open_links(links.take(cells[:0]), joins).tolist() == []
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -19,7 +19,8 @@ from stridemap.solver.options import (
     ContinuationOptions,
     SearchOptions,
 )
-from stridemap.sweeps import tiles
+from stridemap.sweeps import connections, tiles
+from stridemap.sweeps.connections import connect
 from stridemap.sweeps.families import families
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.solutions import NONE, Guesses, Solutions
@@ -73,6 +74,16 @@ class Line:
         model = load("wobbling")
         point = model.point({**self.params, "k": k})[None]
         return find_all(Solver.for_model(model), point, SearchOptions(starts=128))[1]
+
+
+def connected(task, found):
+    """Pairs of branches that are one once the links of a result are followed."""
+    links = found.links
+    seen = Solutions.concatenate([task.seen, found.seen], links.u.shape[1])
+    incoming = Guesses(links.cell, links.u, links.branch, links.origin)
+    followed = connect(replace(task, round=9, incoming=incoming, seen=seen))
+    assert not followed.failures
+    return np.concatenate([found.joins, followed.joins])
 
 
 def test_a_branch_is_followed_along_its_line():
@@ -179,9 +190,11 @@ def test_from_a_branch_the_cells_beside_it_are_tried():
             known=Solutions.empty(6), seen=Solutions.empty(6),
         )  # fmt: skip
         results.append(work(task))
+        if len(results) == 1:
+            joins = connected(task, results[0])
     whole, part = results
     assert whole.orbits["cell"].tolist() == [0, 1, 2, 3, 4, 5]
-    assert set(families(whole.orbits["branch"], whole.joins)) == {0}
+    assert set(families(whole.orbits["branch"], joins)) == {0}
     assert part.orbits["cell"].tolist() == [1, 3, 5]
     assert set(part.outgoing.cell.tolist()) <= {0, 2, 4}
     assert len(part.outgoing) > 0
@@ -207,18 +220,33 @@ def beside_a_known_cycle(continuation=IN_SWEEPS, **more):
 
 def test_no_search_begins_beside_a_known_cycle_and_yet_the_branches_are_one(monkeypatch):
     monkeypatch.setattr(Solver, "search", refuse)
-    found = work(beside_a_known_cycle())
-    assert not found.failures
-    assert not len(found.orbits["cell"])
-    assert found.joins.tolist() == [[10**12, 5]]
-
-
-def test_branches_that_are_known_to_be_one_are_not_followed_to_each_other_again(monkeypatch):
-    task = beside_a_known_cycle(joins=np.array([[10**12, 5]]))
-    monkeypatch.setattr(tiles, "follow", refuse)
+    task = beside_a_known_cycle()
     found = work(task)
     assert not found.failures
+    assert not len(found.orbits["cell"])
     assert not len(found.joins)
+    assert found.links.origin.tolist() == [2]
+    assert connected(task, found).tolist() == [[10**12, 5]]
+
+
+def test_a_link_that_cannot_be_followed_is_a_failure_of_its_cell_alone(monkeypatch):
+    task = beside_a_known_cycle()
+    one = work(task).links
+    follow = connections.follow
+
+    def odd(solver, u, *args, **kwargs):
+        if (u[:, -1] > 100).any():
+            raise ArithmeticError("odd")
+        return follow(solver, u, *args, **kwargs)
+
+    monkeypatch.setattr(connections, "follow", odd)
+    both = Guesses(
+        np.append(one.cell, 1), np.concatenate([one.u, np.full((1, 6), 999.0)]),
+        np.append(one.branch, 10**13), np.append(one.origin, 0),
+    )  # fmt: skip
+    found = connect(replace(task, incoming=both))
+    assert found.failures == {1: "ArithmeticError: odd"}
+    assert found.joins.tolist() == [[10**12, 5]]
 
 
 def refuse(*args, **kwargs):
@@ -254,7 +282,7 @@ def test_families_are_one_only_where_following_leads_from_one_to_the_other():
     )  # fmt: skip
     found = work(task)
     here = found.seen.branch[np.abs((found.seen.u - ends[0]) / scale).max(axis=1).argmin()]
-    first, second, own = families(np.array([10**12, 10**13, here]), found.joins)
+    first, second, own = families(np.array([10**12, 10**13, here]), connected(task, found))
     assert first == own
     assert second != own
 
@@ -264,7 +292,7 @@ def test_long_arclength_steps_are_long_from_cell_to_cell_as_well():
     task = beside_a_known_cycle(continuation=replace(IN_SWEEPS, ds_min=0.5, ds=0.5, ds_max=0.5))
     found = work(task)
     assert not found.failures
-    assert found.joins.tolist() == [[10**12, 5]]
+    assert connected(task, found).tolist() == [[10**12, 5]]
 
 
 def test_a_fold_just_beyond_a_cell_does_not_hide_its_two_cycles(monkeypatch):
@@ -327,4 +355,4 @@ def test_a_search_from_another_cell_begins_at_the_solution_there_as_well(monkeyp
     assert len(first) == 2
     assert (first == there).all(axis=1).sum() == 1
     # Families are joined by both.
-    assert 10**12 in found.joins[:, 0]
+    assert 10**12 in found.links.branch
