@@ -5,7 +5,7 @@ A backend is a value that is passed as an argument. It says what the last bits o
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -17,9 +17,11 @@ from numpy.typing import NDArray
 from stridemap.solver.backends import chained
 from stridemap.solver.kernels import catalogue
 from stridemap.solver.kernels.catalogue import ADVANCE, Kernel
+from stridemap.solver.kernels.resolution import distinct
 from stridemap.solver.model.model import Model
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 
 ONE_POINT = "one point at a time, without contraction, sines of the C library"
@@ -87,8 +89,8 @@ class Kernels(ABC):
     """The kernels of one model, mapped over arrays of points.
 
     In what follows u is a section point with its period, shape (n, nz + 1), p are parameters, shape
-    (n, n_params), and `n_rk` is the number of RK steps per step of the walker. Where a point's computation
-    breaks down its results are NaN.
+    (n, n_params), and `n_rk` is the number of RK steps per step of the walker: of all, or of each point,
+    shape (n,). Where a point's computation breaks down its results are NaN.
 
     Parameters
     ----------
@@ -115,6 +117,16 @@ class Kernels(ABC):
     def _map(self, kernel: Kernel, inputs: list[Array], outputs: list[Array]) -> None:
         """Call `kernel` for every point; fills `outputs`."""
 
+    def _map_each(
+        self, kernels: Sequence[Kernel], rows: Sequence[Index], inputs: list[Array], outputs: list[Array]
+    ) -> None:
+        """Call each of some kernels for rows of its own; fills `outputs`."""
+        for kernel, at in zip(kernels, rows, strict=True):
+            parts = [out[at] for out in outputs]
+            self._map(kernel, [one[at] for one in inputs], parts)
+            for out, part in zip(outputs, parts, strict=True):
+                out[at] = part
+
     def search(self, n_rk: int, u: Array, p: Array) -> Searched:
         """Newton's method from rough guesses."""
         return Searched(*self.call(catalogue.search(n_rk), u, p))
@@ -126,8 +138,10 @@ class Kernels(ABC):
         u, jacobian, residual = self.call(kernel, u, p) if compiled else chained.limit_cycle(self, n_rk, u, p)
         return Solved(u, _by_rows(jacobian), residual)
 
-    def residual(self, n_rk: int, u: Array, p: Array) -> Array:
+    def residual(self, n_rk: int | Index, u: Array, p: Array) -> Array:
         """Closing errors with the touchdown condition, shape (n, nz + 1)."""
+        if isinstance(n_rk, np.ndarray):
+            return self._each(catalogue.residual, n_rk, u, p)[0]
         kernel = catalogue.residual(n_rk)
         if kernel not in self.functions:
             return chained.jacobian(self, n_rk, u, p)[1]
@@ -141,8 +155,11 @@ class Kernels(ABC):
         """
         return np.full(u.shape, np.nan)
 
-    def jacobian(self, n_rk: int, u: Array, p: Array) -> Linearised:
+    def jacobian(self, n_rk: int | Index, u: Array, p: Array) -> Linearised:
         """Residuals with their derivatives with respect to u."""
+        if isinstance(n_rk, np.ndarray):
+            jacobian, residual = self._each(catalogue.jacobian, n_rk, u, p)
+            return Linearised(_by_rows(jacobian), residual)
         kernel = catalogue.jacobian(n_rk)
         compiled = kernel in self.functions
         jacobian, residual = self.call(kernel, u, p) if compiled else chained.jacobian(self, n_rk, u, p)
@@ -193,6 +210,18 @@ class Kernels(ABC):
             One array per output: shape (n, rows), or (n, columns, rows) for a matrix, as CasADi stores it.
             NaN where a point's computation broke down.
         """
+        return self._called([kernel], None, *inputs)
+
+    def _each(self, kind: Callable[[int], Kernel], n_rk: Index, *inputs: Array) -> list[Array]:
+        """Call a kind of kernel at n points, each at its own resolution, of those that have a kernel."""
+        levels = distinct(n_rk) or [catalogue.SEARCH_N_RK[0]]
+        if len(levels) == 1:
+            return self.call(kind(levels[0]), *inputs)
+        return self._called([kind(n) for n in levels], [np.flatnonzero(n_rk == n) for n in levels], *inputs)
+
+    def _called(self, kernels: Sequence[Kernel], rows: Sequence[Index] | None, *inputs: Array) -> list[Array]:
+        """Call one kernel at all points, or each of some that are alike at rows of its own."""
+        kernel = kernels[0]
         shapes = self._shapes[kernel]
         n = len(inputs[0])
         arrays = [np.ascontiguousarray(x, dtype=np.float64) for x in inputs]
@@ -201,7 +230,11 @@ class Kernels(ABC):
                 raise ValueError(f"{kernel.name}: input {name} has shape {array.shape}, not ({n}, {size})")
         outputs = [np.empty((n, rows * columns)) for rows, columns in shapes.outputs]
         if n:
-            self._map(kernel, [a.reshape(n, -1) for a in arrays], outputs)
+            points = [a.reshape(n, -1) for a in arrays]
+            if rows is None:
+                self._map(kernel, points, outputs)
+            else:
+                self._map_each(kernels, rows, points, outputs)
         return [
             out if columns == 1 else out.reshape(n, columns, rows)
             for out, (rows, columns) in zip(outputs, shapes.outputs, strict=True)

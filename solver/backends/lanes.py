@@ -39,6 +39,7 @@ from stridemap.solver.model.model import Model
 from stridemap.solver.model.scales import Scales, rounded
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 FLAGS = (
     *(
@@ -190,7 +191,7 @@ class LaneKernels(Kernels):
         self._flags = [*FLAGS, *wide]
         self._library = self._compiler.library(f"{model.name}_lockstep.cpp", source(model), self._flags)
         self.library = Path(self._library._name)
-        self._addresses: dict[Kernel, ctypes.c_void_p] = {}
+        self._addresses: dict[Kernel, int] = {}
 
     @cached_property
     def _directional(self) -> ctypes.CDLL:
@@ -265,7 +266,8 @@ class LaneKernels(Kernels):
         scales = Scales.of(self.model)
         unknowns, rows = rounded(scales.unknowns), rounded(scales.residual)
         status = self._library.lockstep_newton(
-            self._shown(derivative), None if alike else self._shown(residual(method.n_rk)),
+            ctypes.c_void_p(self._shown(derivative)),
+            ctypes.c_void_p(None if alike else self._shown(residual(method.n_rk))),
             ctypes.c_longlong(len(u)), ctypes.c_longlong(u.shape[1]), ctypes.c_longlong(params.shape[1]),
             ctypes.c_void_p(u.ctypes.data), ctypes.c_void_p(params.ctypes.data),
             ctypes.c_void_p(unknowns.ctypes.data), ctypes.c_void_p(rows.ctypes.data),
@@ -275,17 +277,36 @@ class LaneKernels(Kernels):
 
     def _apply(self, kernel: Kernel, inputs: list[Array], outputs: list[Array]) -> None:
         """A kernel without branches, point by point."""
+        self._apply_each([kernel], [len(inputs[0])], None, inputs, outputs)
+
+    def _apply_each(
+        self,
+        kernels: Sequence[Kernel],
+        counts: Sequence[int],
+        points: Index | None,
+        inputs: list[Array],
+        outputs: list[Array],
+    ) -> None:
+        """Kernels of the same inputs and outputs, each to so many of the points in their order."""
+        n = len(kernels)
         status = self._library.lockstep_map(
-            self._shown(kernel), ctypes.c_longlong(len(inputs[0])),
+            ctypes.c_longlong(n), (ctypes.c_void_p * n)(*map(self._shown, kernels)),
+            (ctypes.c_longlong * n)(*counts), ctypes.c_void_p(None if points is None else points.ctypes.data),
             ctypes.c_longlong(len(inputs)), pointers(inputs), sizes(inputs),
             ctypes.c_longlong(len(outputs)), pointers(outputs), sizes(outputs),
         )  # fmt: skip
-        check(status, kernel)
+        check(status, kernels[0])
 
-    def _shown(self, kernel: Kernel) -> ctypes.c_void_p:
+    def _map_each(
+        self, kernels: Sequence[Kernel], rows: Sequence[Index], inputs: list[Array], outputs: list[Array]
+    ) -> None:
+        points = np.concatenate(rows).astype(np.int64, copy=False)
+        self._apply_each(kernels, [len(one) for one in rows], points, inputs, outputs)
+
+    def _shown(self, kernel: Kernel) -> int:
         known = self._addresses.get(kernel)
         if known is None:
-            known = _shown(self._library, "lockstep", c_name(self.model, kernel))
+            known = _shown(self._library, "lockstep", c_name(self.model, kernel)).value or 0
             self._addresses[kernel] = known
         return known
 

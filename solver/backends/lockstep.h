@@ -124,23 +124,32 @@ void solve(double* a, double* b, casadi_int n)
 
 } /* namespace */
 
-/* Map a kernel over n points: point i reads in[j] + i*in_size[j] and writes out[j] + i*out_size[j].
- * Returns 0, or 1 when there is no memory, or 2 when the kernel failed. */
-extern "C" int lockstep_map(const Kernel* kernel, casadi_int n, casadi_int n_in, const double* const* in,
-    const casadi_int* in_size, casadi_int n_out, double* const* out, const casadi_int* out_size)
+/* Map kernels of the same inputs and outputs over points: the first over count[0] points, and so on.
+ * The points are those that `points` names, one kernel's after the other's; all in their order if it is NULL.
+ * Point i reads in[j] + i*in_size[j] and writes out[j] + i*out_size[j].
+ * Returns 0, or 1 when there is no memory, or 2 when a kernel failed. */
+extern "C" int lockstep_map(casadi_int n_kernels, const Kernel* const* kernels, const casadi_int* count,
+    const casadi_int* points, casadi_int n_in, const double* const* in, const casadi_int* in_size,
+    casadi_int n_out, double* const* out, const casadi_int* out_size)
 {
-    Call call(kernel, n_in, in_size, n_out, out_size);
-    if (!call.ready) return 1;
-    for (casadi_int i = 0; i < n; i += LANES) {
-        for (int lane = 0; lane < LANES; lane++) {
-            const casadi_int point = i + lane < n ? i + lane : n - 1; /* the last lanes repeat the last point */
-            for (casadi_int j = 0; j < n_in; j++) put(in[j] + point * in_size[j], in_size[j], call.in[j], lane);
+    casadi_int done = 0, point[LANES];
+    for (casadi_int one = 0; one < n_kernels; done += count[one++]) {
+        Call call(kernels[one], n_in, in_size, n_out, out_size);
+        if (!call.ready) return 1;
+        for (casadi_int i = 0; i < count[one]; i += LANES) {
+            const int used = count[one] - i < LANES ? (int) (count[one] - i) : LANES;
+            for (int lane = 0; lane < LANES; lane++) {
+                const casadi_int row = done + i + (lane < used ? lane : used - 1); /* others repeat the last */
+                point[lane] = points ? points[row] : row;
+                for (casadi_int j = 0; j < n_in; j++)
+                    put(in[j] + point[lane] * in_size[j], in_size[j], call.in[j], lane);
+            }
+            if (call()) return 2;
+            for (casadi_int j = 0; j < n_out; j++)
+                for (casadi_int k = 0; k < out_size[j]; k++)
+                    for (int lane = 0; lane < used; lane++)
+                        out[j][point[lane] * out_size[j] + k] = call.out[j][k].v[lane];
         }
-        if (call()) return 2;
-        const int used = n - i < LANES ? (int) (n - i) : LANES;
-        for (casadi_int j = 0; j < n_out; j++)
-            for (casadi_int k = 0; k < out_size[j]; k++)
-                for (int lane = 0; lane < used; lane++) out[j][(i + lane) * out_size[j] + k] = call.out[j][k].v[lane];
     }
     return 0;
 }

@@ -29,7 +29,6 @@ from numpy.typing import NDArray
 from stridemap.solver.branches import cubics
 from stridemap.solver.branches.stops import Stops
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.kernels.resolution import distinct
 from stridemap.solver.linear import solved
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import IN_SWEEPS, ContinuationOptions
@@ -432,7 +431,7 @@ class _Lines:
         """Derivative of the residual with a last row to be filled in, shape (m, nz + 2, nz + 2); residual."""
         u, s = x[:, :-1], x[:, -1:]
         n = u.shape[1]
-        jacobian, residual = self._evaluate(self.kernels.jacobian, n_rk, at, u, s)
+        jacobian, residual = self.kernels.jacobian(n_rk, u, self._point(at, s))
         h = self.difference[at, None]
         shifted = self._residual(at, u, s + h, n_rk)
         matrix = np.zeros((len(x), n + 1, n + 1))
@@ -441,24 +440,7 @@ class _Lines:
         return matrix, residual
 
     def _residual(self, at: Index, u: Array, s: Array, n_rk: Index) -> Array:
-        return self._evaluate(lambda n, u, p: (self.kernels.residual(n, u, p),), n_rk, at, u, s)[0]
-
-    def _evaluate(
-        self,
-        kernel: Callable[[int, Array, Array], tuple[Array, ...]],
-        n_rk: Index,
-        at: Index,
-        u: Array,
-        s: Array,
-    ) -> list[Array]:
-        """A kernel at points of branches, each at its own resolution."""
-        params = self._point(at, s)
-        groups = [np.flatnonzero(n_rk == n) for n in distinct(n_rk)]
-        if len(groups) == 1:
-            return list(kernel(int(n_rk[0]), u, params))
-        parts = [kernel(n_rk[rows[0]].item(), u[rows], params[rows]) for rows in groups]
-        back = np.argsort(np.concatenate(groups), kind="stable")
-        return [np.concatenate(part)[back] for part in zip(*parts, strict=True)]
+        return self.kernels.residual(n_rk, u, self._point(at, s))
 
     def _point(self, at: Index, s: Array) -> Array:
         """Parameters at fractions of lines, shape (k, n_params)."""

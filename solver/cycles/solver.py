@@ -143,29 +143,27 @@ class Solver:
         """
         u, scale = guesses.copy(), Scales.of(self.model).unknowns
         n_rk = self.resolution.branch_n_rk(u[:, -1], self.resolution.fastest_mode(params))
-        last = np.full(len(u), np.inf)
-        for n in distinct(n_rk):
-            open_ = np.flatnonzero(n_rk == n)
-            jacobian, residual = np.empty((len(open_), *2 * u.shape[1:])), np.empty((len(open_), u.shape[1]))
-            used = np.full(len(open_), USES)  # of the derivative
-            for _ in range(POLISHES):
-                old = (used >= USES) | (last[open_] > NEAR)
-                again, same = np.flatnonzero(old), np.flatnonzero(~old)
-                if len(again):
-                    at = open_[again]
-                    jacobian[again], residual[again] = self.kernels.jacobian(n, u[at], params[at])
-                    used[again] = 0
-                if len(same):
-                    at = open_[same]
-                    residual[same] = self.kernels.residual(n, u[at], params[at])
-                change = -solved(jacobian, residual)
-                u[open_] += change
-                last[open_], used = np.abs(change / scale).max(axis=1), used + 1
-                with np.errstate(invalid="ignore"):
-                    go_on = (last[open_] > POLISHED) & (last[open_] < FAR)
-                open_, jacobian, residual, used = open_[go_on], jacobian[go_on], residual[go_on], used[go_on]
-                if not len(open_):
-                    break
+        last, open_ = np.full(len(u), np.inf), np.arange(len(u))
+        jacobian, residual = np.empty((len(u), *2 * u.shape[1:])), np.empty(u.shape)
+        used = np.full(len(u), USES)  # of the derivative
+        for _ in range(POLISHES):
+            old = (used >= USES) | (last[open_] > NEAR)
+            again, same = np.flatnonzero(old), np.flatnonzero(~old)
+            if len(again):
+                at = open_[again]
+                jacobian[again], residual[again] = self.kernels.jacobian(n_rk[at], u[at], params[at])
+                used[again] = 0
+            if len(same):
+                at = open_[same]
+                residual[same] = self.kernels.residual(n_rk[at], u[at], params[at])
+            change = -solved(jacobian, residual)
+            u[open_] += change
+            last[open_], used = np.abs(change / scale).max(axis=1), used + 1
+            with np.errstate(invalid="ignore"):
+                go_on = (last[open_] > POLISHED) & (last[open_] < FAR)
+            open_, jacobian, residual, used = open_[go_on], jacobian[go_on], residual[go_on], used[go_on]
+            if not len(open_):
+                break
         with np.errstate(invalid="ignore"):
             good = (last < 10 * POLISHED) & (u[:, -1] > 0)
         moved = np.abs((u - guesses) / scale).max(axis=1)
@@ -188,15 +186,13 @@ class Solver:
         """
         out, scale = u.copy(), Scales.of(self.model).unknowns
         n_rk = self.resolution.branch_n_rk(u[:, -1], self.resolution.fastest_mode(params))
-        for n in distinct(n_rk):
-            at = np.flatnonzero(n_rk == n)
-            jacobian, residual = self.kernels.jacobian(n, u[at], params[at])
-            beside = params[at] + AHEAD * (target[at] - params[at])
-            slope = (self.kernels.residual(n, u[at], beside) - residual) / AHEAD
-            change = -solved(jacobian, slope)
-            with np.errstate(invalid="ignore"):
-                good = np.abs(change / scale).max(axis=1) < FAR_AHEAD
-            out[at[good]] += change[good]
+        jacobian, residual = self.kernels.jacobian(n_rk, u, params)
+        beside = params + AHEAD * (target - params)
+        slope = (self.kernels.residual(n_rk, u, beside) - residual) / AHEAD
+        change = -solved(jacobian, slope)
+        with np.errstate(invalid="ignore"):
+            good = np.abs(change / scale).max(axis=1) < FAR_AHEAD
+        out[good] += change[good]
         return out
 
     def can_be_a_step(self, u: Array, params: Array) -> Mask:

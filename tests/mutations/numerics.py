@@ -47,6 +47,16 @@ KERNELS = (
     ),
     Mutation(
         "solver/backends/lockstep.h",
+        "point[lane] = points ? points[row] : row;",
+        "point[lane] = row;",
+        "points with resolutions of their own get those of others",
+        (
+            "tests/solver/backends/test_lanes.py::"
+            "test_points_at_resolutions_of_their_own_are_as_they_are_alone[lanes]",
+        ),
+    ),
+    Mutation(
+        "solver/backends/lockstep.h",
         "int done = !(norm(r, rows, nu) > abstol);",
         "int done = norm(r, rows, nu) <= abstol;",
         "a residual that is no number does not end the lockstep Newton",

@@ -138,6 +138,28 @@ def test_a_point_does_not_depend_on_those_beside_it(name):
                 assert_same_bits(alone, [out[chosen] for out in together])
 
 
+@pytest.mark.quick
+@pytest.mark.parametrize("backend", [Lanes(), ScalarC()], ids=["lanes", "scalar"])
+def test_points_at_resolutions_of_their_own_are_as_they_are_alone(backend):
+    model = load("compass")
+    kernels = backend.kernels(model)
+    u, params = cases(model, 41)
+    n_rk = np.random.default_rng(3).choice(np.array(catalogue.CYCLE_N_RK), 41)
+    n_rk[0], n_rk[1:19] = 384, 24  # one of its own, and more than fit into two vectors
+    matrices, closing = kernels.jacobian(n_rk, u, params)
+    residual = kernels.residual(n_rk, u, params)
+    for i, n in enumerate(n_rk.tolist()):
+        at = slice(i, i + 1)
+        alone = kernels.jacobian(n, u[at], params[at])
+        assert_same_bits([matrices[at], closing[at]], list(alone))
+        assert_same_bits([residual[at]], [kernels.residual(n, u[at], params[at])])
+    none = np.empty(0, dtype=np.int64)
+    assert kernels.jacobian(none, u[:0], params[:0]).jacobian.shape == (0, 4, 4)
+    assert_same_bits(
+        list(kernels.jacobian(np.full(41, 48), u, params)), list(kernels.jacobian(48, u, params))
+    )
+
+
 @each_instruction_set
 def test_the_processor_does_not_change_a_bit(name, instructions):
     model = load(name)
@@ -193,7 +215,14 @@ int main()
         const Kernel* residual = &lockstep_rimless_wheel_residual_24;
         int status = lockstep_newton(derivative, residual, n, nu, np, u, p, one, one, 1e-14, 1e-9, 6);
         status |= lockstep_newton(derivative, NULL, n, nu, np, u, p, one, one, 1e-14, 1e-9, 6);
-        status |= lockstep_map(derivative, n, 2, in, in_size, 2, out, out_size);
+        status |= lockstep_map(1, &derivative, &n, NULL, 2, in, in_size, 2, out, out_size);
+        if (status || !(fabs(r[0]) < 1e-9)) return 1;
+        const Kernel* const both[] = {derivative, derivative};
+        const casadi_int counts[] = {n / 3, n - n / 3};
+        casadi_int points[17];
+        for (casadi_int i = 0; i < n; i++) points[i] = n - 1 - i;
+        r[0] = 1;
+        status = lockstep_map(2, both, counts, points, 2, in, in_size, 2, out, out_size);
         if (status || !(fabs(r[0]) < 1e-9)) return 1;
         free(u); free(p); free(j); free(r);
     }
