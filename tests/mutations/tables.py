@@ -39,13 +39,6 @@ SWEEPS = (
         (f"{TILES}::test_a_branch_is_followed_that_is_a_little_outside_the_range_of_periods",),
     ),
     Mutation(
-        "sweeps/solutions.py",
-        "SAME_BRANCH = 0.05",
-        "SAME_BRANCH = 1e-9",
-        "what branches pass is thrown away",
-        (f"{TILES}::test_a_branch_is_followed_along_its_line",),
-    ),
-    Mutation(
         "sweeps/tiles.py",
         "        self._outgoing.append(guesses.take(~here & ~passed.beyond))\n",
         "",
