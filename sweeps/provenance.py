@@ -6,9 +6,9 @@ from typing import Any
 from stridemap.solver.backends.base import Kernels
 from stridemap.solver.model.files import GENERATED
 from stridemap.sweeps.software import versions
-from stridemap.sweeps.tables import FORMAT
+from stridemap.sweeps.tables import FORMAT, PARTS_FORMAT
 
-DECIDING = ("format", "measures", "model_hash", "versions", "arithmetic", "tile_cells")
+DECIDING = ("format", "parts_format", "measures", "model_hash", "versions", "arithmetic", "tile_cells")
 """Entries on which the numbers depend. A sweep is continued only where they are the same; the commit and the
 compiler's name are for readers."""
 
@@ -28,6 +28,7 @@ def provenance(kernels: Kernels) -> dict[str, Any]:
     model = kernels.model
     return {
         "format": FORMAT,
+        "parts_format": PARTS_FORMAT,
         "measures": list(model.measured),
         "model": model.name,
         "model_hash": model.hash,

@@ -19,6 +19,9 @@ from stridemap.words import multiplier_columns
 FORMAT = 5
 """Of the tables: it rises when columns change, other than those of measured quantities."""
 
+PARTS_FORMAT = 2
+"""Of what is kept of a sweep until it is finished: it rises when that, or what is made of it, changes."""
+
 _TYPES = {"float": pa.float64(), "int": pa.int64(), "bool": pa.bool_(), "str": pa.string()}
 
 

@@ -28,7 +28,7 @@ OTHER = parse_config({"model": "wobbling", "grid": {"k": [1.0, 2.5, 3.0], "omega
 GRID = Grid.from_mapping(CONFIG.grid)
 POINTS = GRID.points(MODEL, CONFIG.params)
 PROVENANCE = {
-    "format": 2, "measures": ["cot"], "model_hash": "ab12", "versions": {"numpy": "2.4.6"},
+    "format": 2, "parts_format": 1, "measures": ["cot"], "model_hash": "ab12", "versions": {"numpy": "2.4.6"},
     "arithmetic": "exact", "tile_cells": 160, "compiler": "cc 1.0", "commit": None,
 }  # fmt: skip
 
