@@ -77,7 +77,7 @@ class Progress:
     round : int
         Rounds count from 1.
     done, total : int
-        Tiles of this round.
+        Pieces of work of this round: tiles, and in the last rounds branches that are followed to others.
     orbits : int
         Limit cycles found so far.
     """
@@ -231,7 +231,7 @@ class _Run:
         self.width = len(self.model.section) + 1
 
     def all_rounds(self, pool: Executor) -> Summary:
-        """Work until nothing new appears, then write the tables."""
+        """Work until nothing new appears, find out which branches are one, and write the tables."""
         seeds = self.grid.subgrid(self.config.strides)
         owner = self.tiles.tile_of(seeds)
         given: dict[int, Ints] = {tile: seeds[owner == tile] for tile in np.unique(owner).tolist()}

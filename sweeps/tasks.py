@@ -1,4 +1,7 @@
-"""What a worker is given for one tile of a sweep, and what it gives back: plain arrays.
+"""What a worker is given for one piece of a sweep, and what it gives back: plain arrays.
+
+A piece is a tile, whose cycles are searched for (`tiles.work`), or some links between tiles and lines, which
+are followed (`connections.connect`): these are its incoming guesses, and pieces are counted in place of tiles.
 
 The tables are made of them where they are written. What makes tables takes as long to load as all else that a
 worker needs.
