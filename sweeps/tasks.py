@@ -1,8 +1,8 @@
 """What a worker is given for one piece of a sweep, and what it gives back: plain arrays.
 
-A piece is a tile, whose cycles are searched for (`tiles.work`), or some links between lines, which are followed
-(`connections.connect`): these are its incoming guesses, and its number stands in the place of a tile's.
-
+A piece is a tile, whose cycles are searched for (`tiles.work`), or some links between lines, which are
+followed (`connections.connect`): these are its incoming guesses, and its number stands in the place of a
+tile's.
 
 The tables are made of them where they are written. What makes tables takes as long to load as all else that a
 worker needs.
