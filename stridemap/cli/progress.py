@@ -77,7 +77,7 @@ def show(title: str = "") -> "Iterator[Callable[[SweepProgress], None]]":
         Stands before the number of the round.
     """
     first: dict[int, tuple[float, int]] = {}
-    with show_work(f"{title}preparing", "tiles", ends=True) as update:
+    with show_work(f"{title}preparing", "pieces", ends=True) as update:
 
         def seen(at: "SweepProgress") -> None:
             now = time.monotonic()

@@ -244,7 +244,7 @@ def test_sweep_tells_what_it_found_and_what_was_there(run, tmp_path):
     found = f"{len(orbits)} limit cycles ({orbits['stable'].sum()} stable) in 2 cells; tables in {out}\n"
     assert (status, said) == (0, f"sweep finished: {found}")
     assert len(orbits) >= 2
-    assert shown.startswith("round 1: 1 of 1 tiles")
+    assert shown.startswith("round 1: 1 of 1 pieces")
     before = tables(out)
     assert run("sweep", config, "--out", out, "--resume") == (0, f"sweep was finished before: {found}", "")
     assert tables(out) == before

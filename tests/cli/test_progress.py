@@ -90,7 +90,7 @@ def test_the_end_of_each_round_of_a_sweep_is_said_however_little_it_took(capsys)
         seen(Progress(1, 1, 2, 3))
         seen(Progress(1, 2, 2, 1500))
     (line,) = lines(capsys)
-    assert line.startswith("sweep map, round 1: 2 of 2 tiles (")
+    assert line.startswith("sweep map, round 1: 2 of 2 pieces (")
     assert line.endswith(" per second), 1,500 limit cycles, 0 s")
 
 
