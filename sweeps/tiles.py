@@ -42,6 +42,9 @@ ACROSS = 16
 BEYOND = 0.1
 """Of the distance between two cells: so far beyond a fold a cell is tried that the branch may pass."""
 
+STEPS_ACROSS = 5
+"""Newton steps at most from where the tangent leads in a cell beside: a solution that is there is near."""
+
 BESIDE = 0.2
 """A guess that is no farther from a known solution of its cell, in terms of scales, leads there: no search
 begins at it."""
@@ -228,9 +231,12 @@ class _Search:
 
     def _solve(self, guesses: Guesses) -> tuple[Guesses, Solutions]:
         """Guesses that lead to solutions, and these."""
-        guesses, start = self._starting_points(guesses)
-        points = self._points(guesses.cell)
-        u, closed = self.solver.search(start, points)
+        u, points = guesses.u.copy(), self._points(guesses.cell)
+        across = guesses.origin != guesses.cell
+        u[across] = self.solver.predicted(u[across], self._points(guesses.origin[across]), points[across])
+        closed = np.zeros(len(u), dtype=bool)
+        for some, steps in ((~across, None), (across, STEPS_ACROSS)):
+            u[some], closed[some] = self.solver.search(u[some], points[some], steps)
         at = np.flatnonzero(closed)
         kept, group = grouped(guesses.cell[at], u[at], SEARCH_TOLERANCE, backwards(u), self.scale)
         polished, moved = self.solver.polished(u[at[kept]], points[at[kept]])
@@ -238,15 +244,6 @@ class _Search:
         shortest, longest = self.task.search.wider_period_range
         closed &= (u[:, -1] > shortest) & (u[:, -1] <= longest)
         return guesses.take(closed), Solutions(guesses.cell, u, guesses.branch).take(closed)
-
-    def _starting_points(self, guesses: Guesses) -> tuple[Guesses, Floats]:
-        """Guesses, those from other cells twice, and where their searches begin: there on the tangent too."""
-        across = np.flatnonzero(guesses.origin != guesses.cell)
-        u, cells = guesses.u[across], (guesses.origin[across], guesses.cell[across])
-        ahead = self.solver.predicted(u, *map(self._points, cells))
-        differs = (ahead != u).any(axis=1)
-        every = self._guesses([guesses, guesses.take(across[differs])])
-        return every, np.concatenate([guesses.u, ahead[differs]])
 
     def _along_lines(self, open_: Solutions) -> list[Solutions]:
         """Follow solutions that are not known along their lines, and enter all that this gives."""

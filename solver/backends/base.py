@@ -127,8 +127,11 @@ class Kernels(ABC):
             for out, part in zip(outputs, parts, strict=True):
                 out[at] = part
 
-    def search(self, n_rk: int, u: Array, p: Array) -> Searched:
-        """Newton's method from rough guesses."""
+    def search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
+        """Newton's method from rough guesses.
+
+        It takes at most so many Newton steps, on backends that can stop earlier than the kernel does.
+        """
         return Searched(*self.call(catalogue.search(n_rk), u, p))
 
     def limit_cycle(self, n_rk: int, u: Array, p: Array) -> Solved:

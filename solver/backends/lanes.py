@@ -4,20 +4,23 @@ CasADi's C has no branches and names its type of number once. As C++, with `Lane
 the same text works on 8 points at a time with AVX-512, on 4 with AVX2, on 2 elsewhere. Newton's method,
 which stops when it has converged, is written by hand around it (lockstep.h).
 
+A search from rough guesses runs in single precision, on twice as many points at a time: it needs only to come
+near. Where it ends, the residual is computed in double precision, and so is everything else.
+
 The results do not depend on the processor, nor on which points are in a batch.
 """
 
 import ctypes
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Backend, Directional, Kernels
+from stridemap.solver.backends.base import Backend, Directional, Kernels, Searched
 from stridemap.solver.backends.compiler import Compiler, processor_features
 from stridemap.solver.backends.shared_library import check, pointers, sizes
 from stridemap.solver.kernels.catalogue import (
@@ -31,6 +34,7 @@ from stridemap.solver.kernels.catalogue import (
     jacobian,
     plain_pieces_source,
     residual,
+    search,
 )
 from stridemap.solver.kernels.step_map import BLOCK
 from stridemap.solver.kernels.tableau import rests
@@ -86,6 +90,14 @@ def source(model: Model) -> str:
         When the C is not the one that the manifest names.
     """
     return _joined(_kernels(model), ("lanes.h",), "Lanes", "lockstep.h", _names(model, BRANCH_FREE))
+
+
+def search_source(model: Model) -> str:
+    """What a search from rough guesses needs, in single precision, as one C++ file; see `source`."""
+    kernels = [jacobian(NEWTON[kernel].jacobian_n_rk) for kernel in SEARCHES]
+    return "#define SINGLE_PRECISION\n" + _joined(
+        _kernels(model), ("lanes.h",), "Lanes", "lockstep.h", _names(model, kernels)
+    )
 
 
 def directional_source(model: Model) -> str:
@@ -144,6 +156,12 @@ def _names(model: Model, kernels: Sequence[Kernel]) -> list[str]:
 
 RESIDUALS = tuple(kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL)
 
+SEARCHES = tuple(kernel for kernel in NEWTON if kernel.kind == Kind.SEARCH)
+
+CLOSED, NEARLY_CLOSED, FINISHING = 1e-4, 1e-2, 4
+"""Residuals in terms of the scales, between which a search in single precision is finished in double
+precision, and Newton steps for it."""
+
 
 @dataclass(frozen=True)
 class Lanes(Backend):
@@ -167,7 +185,7 @@ class Lanes(Backend):
     @property
     def arithmetic(self) -> str:
         """The same on every processor and with every compiler: its sines are its own."""
-        return "several points per instruction, without contraction, sines of its own"
+        return "several points per instruction, without contraction, sines of its own, searches in 32 bits"
 
     def kernels(self, model: Model) -> "LaneKernels":
         """The kernels of a model."""
@@ -191,7 +209,31 @@ class LaneKernels(Kernels):
         self._flags = [*FLAGS, *wide]
         self._library = self._compiler.library(f"{model.name}_lockstep.cpp", source(model), self._flags)
         self.library = Path(self._library._name)
-        self._addresses: dict[Kernel, int] = {}
+        self._addresses: dict[tuple[ctypes.CDLL, Kernel], int] = {}
+
+    @cached_property
+    def _search(self) -> ctypes.CDLL:
+        """What searches from rough guesses need; compiled when it is first asked for."""
+        return self._compiled_now("search", search_source(self.model))
+
+    def search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
+        """Newton's method from rough guesses in single precision: see `Kernels.search`.
+
+        Where that came near, which an unstable cycle magnifies, it goes on in double precision.
+        """
+        u, p = np.array(u, dtype=np.float64, order="C"), np.ascontiguousarray(p, dtype=np.float64)
+        method = NEWTON[search(n_rk)]
+        if not len(u):
+            return Searched(u, u.copy())
+        self._newton(self._search, replace(method, iterations=steps or method.iterations), u, p)
+        closing = self.residual(n_rk, u, p)
+        size = np.abs(closing / Scales.of(self.model).residual).max(axis=1)
+        with np.errstate(invalid="ignore"):
+            near = np.flatnonzero((size > CLOSED) & (size < NEARLY_CLOSED))
+        ends = u[near]
+        self._newton(self._library, replace(method, iterations=FINISHING), ends, p[near])
+        u[near], closing[near] = ends, self.residual(n_rk, ends, p[near])
+        return Searched(u, closing)
 
     @cached_property
     def _directional(self) -> ctypes.CDLL:
@@ -256,18 +298,18 @@ class LaneKernels(Kernels):
             self._apply(kernel, inputs, outputs)
             return
         outputs[0][:] = inputs[0]
-        self._newton(method, outputs[0], inputs[1])
+        self._newton(self._library, method, outputs[0], inputs[1])
         self._apply(method.closing, [outputs[0], inputs[1]], outputs[1:])
 
-    def _newton(self, method: Newton, u: Array, params: Array) -> None:
+    def _newton(self, library: ctypes.CDLL, method: Newton, u: Array, params: Array) -> None:
         """Newton's method from the guesses in `u`, which the solutions replace."""
         derivative = jacobian(method.jacobian_n_rk)
         alike = method.n_rk == method.jacobian_n_rk
         scales = Scales.of(self.model)
         unknowns, rows = rounded(scales.unknowns), rounded(scales.residual)
-        status = self._library.lockstep_newton(
-            ctypes.c_void_p(self._shown(derivative)),
-            ctypes.c_void_p(None if alike else self._shown(residual(method.n_rk))),
+        status = library.lockstep_newton(
+            ctypes.c_void_p(self._shown(library, derivative)),
+            ctypes.c_void_p(None if alike else self._shown(library, residual(method.n_rk))),
             ctypes.c_longlong(len(u)), ctypes.c_longlong(u.shape[1]), ctypes.c_longlong(params.shape[1]),
             ctypes.c_void_p(u.ctypes.data), ctypes.c_void_p(params.ctypes.data),
             ctypes.c_void_p(unknowns.ctypes.data), ctypes.c_void_p(rows.ctypes.data),
@@ -290,7 +332,8 @@ class LaneKernels(Kernels):
         """Kernels of the same inputs and outputs, each to so many of the points in their order."""
         n = len(kernels)
         status = self._library.lockstep_map(
-            ctypes.c_longlong(n), (ctypes.c_void_p * n)(*map(self._shown, kernels)),
+            ctypes.c_longlong(n),
+            (ctypes.c_void_p * n)(*(self._shown(self._library, kernel) for kernel in kernels)),
             (ctypes.c_longlong * n)(*counts), ctypes.c_void_p(None if points is None else points.ctypes.data),
             ctypes.c_longlong(len(inputs)), pointers(inputs), sizes(inputs),
             ctypes.c_longlong(len(outputs)), pointers(outputs), sizes(outputs),
@@ -303,11 +346,11 @@ class LaneKernels(Kernels):
         points = np.concatenate(rows).astype(np.int64, copy=False)
         self._apply_each(kernels, [len(one) for one in rows], points, inputs, outputs)
 
-    def _shown(self, kernel: Kernel) -> int:
-        known = self._addresses.get(kernel)
+    def _shown(self, library: ctypes.CDLL, kernel: Kernel) -> int:
+        known = self._addresses.get((library, kernel))
         if known is None:
-            known = _shown(self._library, "lockstep", c_name(self.model, kernel)).value or 0
-            self._addresses[kernel] = known
+            known = _shown(library, "lockstep", c_name(self.model, kernel)).value or 0
+            self._addresses[library, kernel] = known
         return known
 
 

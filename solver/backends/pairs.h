@@ -13,14 +13,14 @@
 #endif
 
 struct Pair {
-    Doubles hi, lo;
+    Vector hi, lo;
 
     Pair() = default;
-    Pair(double x) : hi(Doubles{} + x), lo(Doubles{}) {}
-    Pair(double x, double rest) : hi(Doubles{} + x), lo(Doubles{} + rest) {}
-    Pair(Doubles x) : hi(x), lo(Doubles{}) {}
-    Pair(Lanes x) : hi(x.v), lo(Doubles{}) {}
-    Pair(Doubles hi, Doubles lo) : hi(hi), lo(lo) {}
+    Pair(double x) : hi(Vector{} + x), lo(Vector{}) {}
+    Pair(double x, double rest) : hi(Vector{} + x), lo(Vector{} + rest) {}
+    Pair(Vector x) : hi(x), lo(Vector{}) {}
+    Pair(Lanes x) : hi(x.v), lo(Vector{}) {}
+    Pair(Vector hi, Vector lo) : hi(hi), lo(lo) {}
 
     Pair& operator+=(const Pair& y);
     Pair& operator-=(const Pair& y);
@@ -32,27 +32,27 @@ struct Pair {
 
 /* ---- sums and products without an error ---- */
 
-static inline Pair exact_sum(Doubles a, Doubles b)
+static inline Pair exact_sum(Vector a, Vector b)
 {
-    const Doubles s = a + b, t = s - a;
+    const Vector s = a + b, t = s - a;
     return Pair(s, (a - (s - t)) + (b - t));
 }
-static inline Doubles upper_half(Doubles a)
+static inline Vector upper_half(Vector a)
 {
-    const Doubles c = 134217729.0 * a; /* 2^27 + 1 */
+    const Vector c = 134217729.0 * a; /* 2^27 + 1 */
     return c - (c - a);
 }
 /* The same two numbers with and without an instruction that rounds a product and a sum once. */
-static inline Pair exact_product(Doubles a, Doubles b)
+static inline Pair exact_product(Vector a, Vector b)
 {
 #if defined(__AVX512F__)
-    const Doubles product = a * b;
-    return Pair(product, (Doubles) _mm512_fmsub_pd((__m512d) a, (__m512d) b, (__m512d) product));
+    const Vector product = a * b;
+    return Pair(product, (Vector) _mm512_fmsub_pd((__m512d) a, (__m512d) b, (__m512d) product));
 #elif defined(__AVX2__) && defined(__FMA__)
-    const Doubles product = a * b;
-    return Pair(product, (Doubles) _mm256_fmsub_pd((__m256d) a, (__m256d) b, (__m256d) product));
+    const Vector product = a * b;
+    return Pair(product, (Vector) _mm256_fmsub_pd((__m256d) a, (__m256d) b, (__m256d) product));
 #else
-    const Doubles p = a * b, a1 = upper_half(a), b1 = upper_half(b), a2 = a - a1, b2 = b - b1;
+    const Vector p = a * b, a1 = upper_half(a), b1 = upper_half(b), a2 = a - a1, b2 = b - b1;
     return Pair(p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2);
 #endif
 }
@@ -71,17 +71,17 @@ static inline Pair operator*(const Pair& a, const Pair& b)
     const Pair p = exact_product(a.hi, b.hi);
     return Pair(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
-static inline Doubles rounded(const Pair& a) { return a.hi + a.lo; }
+static inline Vector rounded(const Pair& a) { return a.hi + a.lo; }
 static inline Pair operator/(const Pair& a, const Pair& b)
 {
-    const Doubles first = a.hi / b.hi;
+    const Vector first = a.hi / b.hi;
     return Pair(first, rounded(a - Pair(first) * b) / b.hi);
 }
 
 /* The same number, the second part as small as it can be. */
 static inline Pair tidy(const Pair& a)
 {
-    const Doubles s = a.hi + a.lo;
+    const Vector s = a.hi + a.lo;
     return Pair(s, a.lo - (s - a.hi));
 }
 
@@ -100,8 +100,8 @@ static inline Pair operator!=(const Pair& a, const Pair& b) { return truth(round
 
 static inline Pair chosen(Words mask, const Pair& yes, const Pair& no)
 {
-    return Pair((Doubles) where_else(mask, (Words) yes.hi, (Words) no.hi),
-        (Doubles) where_else(mask, (Words) yes.lo, (Words) no.lo));
+    return Pair((Vector) where_else(mask, (Words) yes.hi, (Words) no.hi),
+        (Vector) where_else(mask, (Words) yes.lo, (Words) no.lo));
 }
 static inline Pair fabs(const Pair& a) { return chosen(rounded(a) < 0.0, -a, a); }
 static inline Pair fmax(const Pair& a, const Pair& b) { return chosen(rounded(a - b) >= 0.0, a, b); }
@@ -109,7 +109,7 @@ static inline Pair times_power(const Pair& a, double power_of_two) { return Pair
 
 static inline Pair sqrt(const Pair& a)
 {
-    const Doubles root = sqrt(Lanes(rounded(a))).v;
+    const Vector root = sqrt(Lanes(rounded(a))).v;
     return chosen(root == 0.0, a, Pair(root, 0.5 * rounded(a - exact_product(root, root)) / root));
 }
 
@@ -120,17 +120,17 @@ static inline Pair sqrt(const Pair& a)
 static inline void sine_and_cosine(const Pair& x, Pair& sine, Pair& cosine, Words& quadrant)
 {
     const double round_off = 0x1.8p52; /* adding it leaves no place for a fraction */
-    const Doubles shifted = rounded(x) * 0.6366197723675814 + round_off;
-    const Doubles n = shifted - round_off;
+    const Vector shifted = rounded(x) * 0.6366197723675814 + round_off;
+    const Vector n = shifted - round_off;
     quadrant = (Words) shifted;
     /* The first two products are exact, as in lanes.h. */
     const Pair r = tidy((x - Pair(n * 1.5707963267341256)) - Pair(n * 6.077100506303966e-11)
         - Pair(n * 2.0222662487959506e-21));
     const Pair z = r * r;
-    const Doubles y = z.hi;
-    const Doubles odd = y * (-1.0 / 5040 + y * (1.0 / 362880 + y * (-1.0 / 39916800 + y * (1.0 / 6227020800
+    const Vector y = z.hi;
+    const Vector odd = y * (-1.0 / 5040 + y * (1.0 / 362880 + y * (-1.0 / 39916800 + y * (1.0 / 6227020800
         + y * (-1.0 / 1307674368000 + y * (1.0 / 355687428096000 - y * (1.0 / 121645100408832000)))))));
-    const Doubles even = y * (-1.0 / 720 + y * (1.0 / 40320 + y * (-1.0 / 3628800 + y * (1.0 / 479001600
+    const Vector even = y * (-1.0 / 720 + y * (1.0 / 40320 + y * (-1.0 / 3628800 + y * (1.0 / 479001600
         + y * (-1.0 / 87178291200 + y * (1.0 / 20922789888000 - y * (1.0 / 6402373705728000)))))));
     const Pair sixth(0.16666666666666666, 9.251858538542972e-18);
     const Pair odds = (Pair(0.008333333333333333, 1.1564823173178713e-19) + Pair(odd)) * z - sixth;
@@ -148,9 +148,9 @@ static inline Pair turned(const Pair& x, int quarters)
     const Words n = quadrant + quarters;
     const Words odd = -(n & 1), sign = (n & 2) << 62;
     const Pair value = chosen(odd, cosine, sine);
-    const Doubles size = rounded(x);
+    const Vector size = rounded(x);
     const Words far = ~((size <= FARTHEST) & (size >= -FARTHEST)); /* and NaN */
-    return Pair((Doubles) (((Words) value.hi ^ sign) | far), (Doubles) ((Words) value.lo ^ sign));
+    return Pair((Vector) (((Words) value.hi ^ sign) | far), (Vector) ((Words) value.lo ^ sign));
 }
 
 static inline Pair sin(const Pair& x) { return turned(x, 0); }
@@ -166,12 +166,12 @@ static inline Pair exp(const Pair& x)
 {
     const double round_off = 0x1.8p52;
     const Pair argument = tidy(x);
-    const Doubles n = (argument.hi * 1.4426950408889634 + round_off) - round_off;
+    const Vector n = (argument.hi * 1.4426950408889634 + round_off) - round_off;
     /* The product with the first part of log 2, of 33 bits, is exact. */
-    const Pair r = tidy((argument - Pair(n * 0.6931471803691238)) - exact_product(n, Doubles{} + 1.9082149292705877e-10));
+    const Pair r = tidy((argument - Pair(n * 0.6931471803691238)) - exact_product(n, Vector{} + 1.9082149292705877e-10));
     const Pair t = times_power(r, 0.0625), z = t * t;
-    const Doubles y = t.hi;
-    const Doubles rest = y * y * y * y * (1.0 / 24 + y * (1.0 / 120 + y * (1.0 / 720 + y * (1.0 / 5040 + y * (1.0 / 40320
+    const Vector y = t.hi;
+    const Vector rest = y * y * y * y * (1.0 / 24 + y * (1.0 / 120 + y * (1.0 / 720 + y * (1.0 / 5040 + y * (1.0 / 40320
         + y * (1.0 / 362880))))));
     Pair above = t + times_power(z, 0.5) + t * z * Pair(0.16666666666666666, 9.251858538542972e-18) + Pair(rest);
     for (int i = 0; i < 4; i++) above = times_power(above, 2.0) + above * above;

@@ -15,7 +15,7 @@ struct Kernel {
 namespace {
 
 /* Memory for n numbers. */
-Pair* new_array(casadi_int n) { return (Pair*) aligned_alloc(sizeof(Doubles), (size_t) (n + 1) * sizeof(Pair)); }
+Pair* new_array(casadi_int n) { return (Pair*) aligned_alloc(sizeof(Vector), (size_t) (n + 1) * sizeof(Pair)); }
 
 /* What a kernel needs. */
 struct Work {

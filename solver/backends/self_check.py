@@ -215,30 +215,28 @@ def _turned(x: float, quarters: int) -> float:
     round_off = float.fromhex("0x1.8p52")
     shifted = x * 0.6366197723675814 + round_off
     n = shifted - round_off
-    t = x - n * 1.5707963267341256
-    a = n * 6.077100506303966e-11
-    s = t - a
-    b = n * 2.0222662487959506e-21 - ((t - s) - a)
-    r = s - b
-    e = (s - r) - b
+    r = ((x - n * 1.5707963267341256) - n * 6.077100506303966e-11) - n * 2.0222662487959506e-21
     quadrant = struct.unpack("<q", struct.pack("<d", shifted))[0] + quarters
-    value = _cosine(r, e) if quadrant & 1 else _sine(r, e)
+    value = _cosine(r) if quadrant & 1 else _sine(r)
     return -value if quadrant & 2 else value
 
 
-def _sine(r: float, e: float) -> float:
+def _sine(r: float) -> float:
     z = r * r
-    p = 0.008333333333330946 + z * (
-        -0.0001984126983675497
-        + z * (2.755731610068303e-06 + z * (-2.5051131455427946e-08 + z * 1.591810123027412e-10))
+    rest = -0.16666666666666666 + z * (
+        0.008333333333330946
+        + z
+        * (
+            -0.0001984126983675497
+            + z * (2.755731610068303e-06 + z * (-2.5051131455427946e-08 + z * 1.591810123027412e-10))
+        )
     )
-    return r + (z * (r * (-0.16666666666666666 + z * p)) + e * (1.0 - 0.5 * z))
+    return r + z * r * rest
 
 
-def _cosine(r: float, e: float) -> float:
+def _cosine(r: float) -> float:
     z = r * r
-    half = 0.5 * z
-    p = 0.041666666666666664 + z * (
+    rest = 0.041666666666666664 + z * (
         -0.0013888888888887395
         + z
         * (
@@ -246,5 +244,4 @@ def _cosine(r: float, e: float) -> float:
             + z * (-2.7557317270560326e-07 + z * (2.0876146024689747e-09 + z * -1.1382614868556325e-11))
         )
     )
-    w = 1.0 - half
-    return w + (((1.0 - w) - half) + (z * z * p - r * e))
+    return (1.0 - z * 0.5) + z * z * rest

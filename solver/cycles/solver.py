@@ -79,12 +79,12 @@ class Solver:
         """Chooses how many RK steps a step of the walker gets."""
         return Resolution(self.model)
 
-    def search(self, guesses: Array, params: Array) -> tuple[Array, Mask]:
+    def search(self, guesses: Array, params: Array, steps: int | None = None) -> tuple[Array, Mask]:
         """Newton's method from rough guesses: solutions, and whether each is one; see `searched`."""
-        out = self.searched(guesses, params)
+        out = self.searched(guesses, params, steps)
         return out.u, out.closed
 
-    def searched(self, guesses: Array, params: Array) -> "Searched":
+    def searched(self, guesses: Array, params: Array, steps: int | None = None) -> "Searched":
         """Newton's method from rough guesses.
 
         Where it nearly closes at a resolution that does not resolve the motion, the end counts as closed: to
@@ -96,6 +96,8 @@ class Solver:
         guesses : ndarray, shape (n, nz + 1)
             Section point and period.
         params : ndarray, shape (n, n_params)
+        steps : int, optional
+            Newton steps at most, where fewer will do.
         """
         u, size = np.full(guesses.shape, np.nan), np.full(len(guesses), np.nan)
         promising = np.zeros(len(guesses), dtype=bool)
@@ -103,7 +105,7 @@ class Solver:
         scale = Scales.of(self.model).residual
         for n in distinct(n_rk):
             at = np.flatnonzero(n_rk == n)
-            u[at], residual = self.kernels.search(n, guesses[at], params[at])
+            u[at], residual = self.kernels.search(n, guesses[at], params[at], steps)
             size[at] = np.abs(residual / scale).max(axis=1)
             with np.errstate(invalid="ignore"):
                 near = (size[at] >= SEARCH_RESIDUAL) & (size[at] < NEARLY) & (u[at, -1] > 0)

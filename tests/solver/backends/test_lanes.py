@@ -15,13 +15,16 @@ import pytest
 from stridemap.errors import CompilerError
 from stridemap.solver.api.points import find_orbits
 from stridemap.solver.backends import lanes
+from stridemap.solver.backends.base import Searched
 from stridemap.solver.backends.compiler import compile_shared, find_compiler, processor_features
 from stridemap.solver.backends.lanes import Lanes
 from stridemap.solver.backends.scalar import ScalarC
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.kernels import catalogue
+from stridemap.solver.linear import solved
 from stridemap.solver.model.loading import load
+from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import SearchOptions
 from tests.oracles.kernels import KERNELS, assert_same_bits, cases, needs_compiler
 from tests.oracles.reference import REFERENCE, section_point
@@ -82,7 +85,7 @@ def ulps(found, exact):
 
 
 @pytest.mark.parametrize("largest", [0.8, 10.0, 1e3, 1e6])
-def test_sines_are_off_by_less_than_one_unit_in_the_last_place(sines, largest):
+def test_sines_are_off_by_less_than_two_units_in_the_last_place(sines, largest):
     x = np.random.default_rng(0).uniform(-largest, largest, 4000)
     # Where they nearly vanish: the doubles around multiples of pi/2.
     multiples = np.round(np.linspace(-largest, largest, 401) / (np.pi / 2)) * (np.pi / 2)
@@ -91,8 +94,8 @@ def test_sines_are_off_by_less_than_one_unit_in_the_last_place(sines, largest):
     s, c = sines(x)
     with mpmath.workdps(60):
         exact = [(mpmath.sin(mpmath.mpf(v)), mpmath.cos(mpmath.mpf(v))) for v in x.tolist()]
-        assert max(ulps(f, e[0]) for f, e in zip(s, exact, strict=True) if e[0] and abs(e[0]) > 1e-290) < 0.8
-        assert max(ulps(f, e[1]) for f, e in zip(c, exact, strict=True)) < 0.8
+        assert max(ulps(f, e[0]) for f, e in zip(s, exact, strict=True) if e[0] and abs(e[0]) > 1e-290) < 2
+        assert max(ulps(f, e[1]) for f, e in zip(c, exact, strict=True)) < 2
     assert np.array_equal(s[np.abs(x) < 1e-19], x[np.abs(x) < 1e-19])
 
 
@@ -136,6 +139,61 @@ def test_a_point_does_not_depend_on_those_beside_it(name):
             for chosen in (np.arange(size), rng.choice(64, size), rng.permutation(64)[:size]):
                 alone = kernels.call(kernel, u[chosen], params[chosen])
                 assert_same_bits(alone, [out[chosen] for out in together])
+    together = kernels.search(12, u, params)
+    for size in range(1, 34):
+        chosen = rng.permutation(64)[:size]
+        assert_same_bits(kernels.search(12, u[chosen], params[chosen]), [out[chosen] for out in together])
+
+
+@pytest.mark.parametrize("name", ["wobbling", pytest.param("compass", marks=pytest.mark.quick)])
+def test_a_search_in_single_precision_ends_where_one_in_double_precision_does(name):
+    model = load(name)
+    scale = Scales.of(model)
+    u, params = cases(model, 300)
+    exact = Searched(*Lanes().kernels(model).call(catalogue.search(24), u, params))
+    found = Lanes().kernels(model).search(24, u, params)
+    closed = np.abs(exact.residual / scale.residual).max(axis=1) < 1e-9
+    with np.errstate(invalid="ignore"):
+        near = (np.abs((found.u - exact.u) / scale.unknowns).max(axis=1) < 1e-3) & closed
+    assert closed.sum() >= 60
+    # From far away, rounding may lead it elsewhere.
+    assert near.sum() > 0.95 * closed.sum()
+    size = np.abs(found.residual / scale.residual).max(axis=1)
+    assert (size[near] < 1e-4).all()
+    residual = Lanes().kernels(model).residual(24, found.u, params)
+    np.testing.assert_array_equal(found.residual, residual)
+    # It is of single precision: what it leaves open is more than double precision does.
+    assert np.median(size[near]) > 1e-9
+
+
+def test_a_search_in_single_precision_is_finished_in_double_precision_where_it_came_near(monkeypatch):
+    model = load("wobbling")
+    u, params = cases(model, 300)
+    size = {}
+    for nearly, closed in ((0.0, 0.0), (1e-2, 1e-8)):
+        monkeypatch.setattr(lanes, "NEARLY_CLOSED", nearly)
+        monkeypatch.setattr(lanes, "CLOSED", closed)
+        left = Lanes().kernels(model).search(24, u, params).residual
+        size[nearly] = np.nan_to_num(np.abs(left / Scales.of(model).residual).max(axis=1), nan=np.inf)
+    rough, finished = size.values()
+    near = (rough > 1e-8) & (rough < 1e-2)
+    np.testing.assert_array_equal(rough[~near], finished[~near])
+    assert near.sum() >= 60
+    assert (finished[near & (rough < 1e-5)] < 1e-9).mean() > 0.95
+
+
+@pytest.mark.quick
+def test_a_search_takes_no_more_steps_than_it_may():
+    model = load("compass")
+    u, params = cases(model, 40)
+    kernels = Lanes().kernels(model)
+    one = kernels.search(12, u, params, 1)
+    matrix, residual = kernels.jacobian(12, u, params)
+    newton = u - solved(matrix, residual)
+    far = np.abs(one.residual / Scales.of(model).residual).max(axis=1) > 1e-2  # it is not finished
+    assert far.sum() >= 10
+    np.testing.assert_allclose(one.u[far], newton[far], rtol=1e-3, atol=1e-3)
+    assert [len(part) for part in kernels.search(12, u[:0], params[:0])] == [0, 0]
 
 
 @pytest.mark.quick
