@@ -236,7 +236,7 @@ class _Search:
         u[across] = self.solver.predicted(u[across], self._points(guesses.origin[across]), points[across])
         closed = np.zeros(len(u), dtype=bool)
         for some, steps in ((~across, None), (across, STEPS_ACROSS)):
-            u[some], closed[some] = self.solver.search(u[some], points[some], steps)
+            u[some], closed[some] = self.solver.quick_search(u[some], points[some], steps)
         at = np.flatnonzero(closed)
         kept, group = grouped(guesses.cell[at], u[at], SEARCH_TOLERANCE, backwards(u), self.scale)
         polished, moved = self.solver.polished(u[at[kept]], points[at[kept]])

@@ -127,12 +127,16 @@ class Kernels(ABC):
             for out, part in zip(outputs, parts, strict=True):
                 out[at] = part
 
-    def search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
-        """Newton's method from rough guesses.
-
-        It takes at most so many Newton steps, on backends that can stop earlier than the kernel does.
-        """
+    def search(self, n_rk: int, u: Array, p: Array) -> Searched:
+        """Newton's method from rough guesses."""
         return Searched(*self.call(catalogue.search(n_rk), u, p))
+
+    def quick_search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
+        """The same where many guesses lead to each solution, so that some of them may be lost for speed.
+
+        It takes no more than so many Newton steps, on backends that can stop earlier than the kernel does.
+        """
+        return self.search(n_rk, u, p)
 
     def limit_cycle(self, n_rk: int, u: Array, p: Array) -> Solved:
         """Newton's method from good guesses."""

@@ -4,8 +4,8 @@ CasADi's C has no branches and names its type of number once. As C++, with `Lane
 the same text works on 8 points at a time with AVX-512, on 4 with AVX2, on 2 elsewhere. Newton's method,
 which stops when it has converged, is written by hand around it (lockstep.h).
 
-A search from rough guesses runs in single precision, on twice as many points at a time: it needs only to come
-near. Where it ends, the residual is computed in double precision, and so is everything else.
+Where many guesses lead to each solution, a search runs in single precision, on twice as many points at a
+time: it needs only to come near. Where it ends, the residual is in double precision, and so is all else.
 
 The results do not depend on the processor, nor on which points are in a batch.
 """
@@ -93,7 +93,7 @@ def source(model: Model) -> str:
 
 
 def search_source(model: Model) -> str:
-    """What a search from rough guesses needs, in single precision, as one C++ file; see `source`."""
+    """What a quick search needs, in single precision, as one C++ file; see `source`."""
     kernels = [jacobian(NEWTON[kernel].jacobian_n_rk) for kernel in SEARCHES]
     return "#define SINGLE_PRECISION\n" + _joined(
         _kernels(model), ("lanes.h",), "Lanes", "lockstep.h", _names(model, kernels)
@@ -185,7 +185,9 @@ class Lanes(Backend):
     @property
     def arithmetic(self) -> str:
         """The same on every processor and with every compiler: its sines are its own."""
-        return "several points per instruction, without contraction, sines of its own, searches in 32 bits"
+        return (
+            "several points per instruction, without contraction, sines of its own, quick searches in 32 bits"
+        )
 
     def kernels(self, model: Model) -> "LaneKernels":
         """The kernels of a model."""
@@ -213,11 +215,11 @@ class LaneKernels(Kernels):
 
     @cached_property
     def _search(self) -> ctypes.CDLL:
-        """What searches from rough guesses need; compiled when it is first asked for."""
+        """What quick searches need; compiled when it is first asked for."""
         return self._compiled_now("search", search_source(self.model))
 
-    def search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
-        """Newton's method from rough guesses in single precision: see `Kernels.search`.
+    def quick_search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
+        """Newton's method from rough guesses in single precision: see `Kernels.quick_search`.
 
         Where that came near, which an unstable cycle magnifies, it goes on in double precision.
         """

@@ -20,13 +20,14 @@ that each stretch of it is followed by one of them.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.branches import cubics
+from stridemap.solver.branches.heads import Heads
 from stridemap.solver.branches.stops import Stops
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.linear import solved
@@ -59,6 +60,10 @@ PATIENCE = 2.0
 
 SHORT = 0.02
 """Of an arclength step: a correction that is so small is the last, if it is below the tolerance."""
+
+FEW, LEFT = 32, 8
+"""The way back begins when so few are left, and no more than one of so many: to go on costs as much for
+few as for some dozens. Till then most of those are known that need not be followed."""
 
 LOOK = 8
 """Arclength steps after which a look is taken whether cycles may be gaits."""
@@ -267,29 +272,16 @@ class _Lines:
 
     def both_ways(self, x: Array, known: Array, on_line_of: Index) -> Followed:
         """Follow all one way first, and then those the other way that none of the others has come along."""
-        at = np.arange(len(x))
         tangent = self._oriented(x)
         stops = Stops(
             np.concatenate([x, known]), np.concatenate([self.line, self.line[on_line_of]]), self.scale
         )
-        parts = []
-        came_along = np.zeros(len(x), dtype=bool)
-        for way in (1.0, -1.0):
-            branch, points, tangents, arrived = self._one_way(at, x[at], way * tangent[at], stops, tangent)
-            came_along[arrived] = True
-            parts.append((branch, np.full(len(branch), way > 0), points, tangents))
-            at = np.flatnonzero(~came_along)
-        branch, ahead, points, tangents = (np.concatenate(column) for column in zip(*parts, strict=True))
-        order = np.lexsort((ahead, branch))
-        return Followed(self.scale, branch[order], ahead[order], points[order], tangents[order])
+        return self._followed(x, tangent, stops, back=True)
 
     def upwards(self, x: Array) -> Followed:
         """Follow all towards s = 1 only, each to its own end."""
-        at = np.arange(len(x))
         tangent, _ = self._tangents(x)
-        stops = Stops(x[:0], self.line[:0], self.scale)
-        branch, points, tangents, _ = self._one_way(at, x, tangent, stops, tangent)
-        return Followed(self.scale, branch, np.ones(len(branch), dtype=bool), points, tangents)
+        return self._followed(x, tangent, Stops(x[:0], self.line[:0], self.scale), back=False)
 
     def _tangents(self, x: Array) -> tuple[Array, Array]:
         """Unit tangents towards s = 1, and the matrices whose last rows they are, in terms of the scale."""
@@ -311,49 +303,75 @@ class _Lines:
         with np.errstate(invalid="ignore"):
             return np.where(np.linalg.det(matrix)[:, None] < 0, -tangent, tangent)
 
-    def _one_way(
-        self, at: Index, x: Array, tangent: Array, stops: Stops, beginnings: Array
-    ) -> tuple[Index, Array, Array, Index]:
-        """Follow branches to their ends: branch, points, tangents, and beginnings met from behind."""
-        options, (shortest, longest) = self.options, self.period_range
-        begins = np.isfinite(tangent).all(axis=1) & ~_at_end(x[:, -1], tangent[:, -1])
-        ds = np.where(begins, options.ds, 0.0)
-        idle = np.zeros(len(x))  # length since the last gait
-        bend = np.zeros_like(x)  # change of the tangent per length
-        branches, points, tangents, met = [at], [x], [tangent], [at[:0]]
-        for step in range(options.max_steps):
-            if self.may_be_gaits is not None and step % LOOK == 0:
-                idle[self.may_be_gaits(x[:, :-1], self._point(at, x[:, -1:]))] = 0.0
-                ds[idle > PATIENCE] = 0.0
-            go_on = ds >= options.ds_min
-            at, x, tangent, bend = at[go_on], x[go_on], tangent[go_on], bend[go_on]
-            ds, idle = ds[go_on], idle[go_on]
-            if not len(at):
+    def _followed(self, x: Array, tangent: Array, stops: Stops, back: bool) -> Followed:
+        """Follow branches ahead to their ends; with `back` then the other way.
+
+        That way begins when few are left, for those that none of the others has come along till then.
+        """
+        options = self.options
+        came_along = np.zeros(len(x), dtype=bool)
+        heads = self._beginning(np.arange(len(x)), x, tangent, ahead=True)
+        passed = [heads]
+        few, step = min(FEW, len(x) // LEFT), 0
+        while True:
+            heads = heads.take((heads.ds >= options.ds_min) & (heads.steps < options.max_steps))
+            if back and len(heads) <= few:
+                at = np.flatnonzero(~came_along)
+                passed.append(self._beginning(at, x[at], -tangent[at], ahead=False))
+                heads, back = Heads.concatenate([heads, passed[-1]]), False
+                continue
+            if not len(heads):
                 break
-            y, new, good, factor = self._step(at, x, tangent, bend, ds)
-            branches.append(at[good])
-            points.append(y[good])
-            tangents.append(new[good])
-            period, s = y[:, -2], y[:, -1]
-            ended = ~((period > shortest) & (period <= longest)) | (s <= 0) | (s >= 1)
-            row, stop = stops.between(self.line[at[good]], x[good], y[good], tangent[good], new[good])
-            ended[np.flatnonzero(good)[row]] = True
-            row, stop = row[stop < len(beginnings)], stop[stop < len(beginnings)]
-            behind = (new[good][row] * beginnings[stop] / self.scale**2).sum(axis=1) > 0
-            met.append(stop[behind])
-            idle += np.where(good, ds, 0.0)
-            with np.errstate(invalid="ignore", divide="ignore"):
-                bend = np.where(good[:, None], (new - tangent) / self._norm(y - x)[:, None], bend)
-            x, tangent = np.where(good[:, None], y, x), np.where(good[:, None], new, tangent)
-            ds = np.where(good & ended, 0.0, np.minimum(factor * ds, options.ds_max))
-        branch = np.concatenate(branches)
-        order = np.argsort(branch, kind="stable")
-        return (
-            branch[order],
-            np.concatenate(points)[order],
-            np.concatenate(tangents)[order],
-            np.concatenate(met),
+            if self.may_be_gaits is not None and step % LOOK == 0:
+                heads = self._promising(heads)
+            heads, good, behind = self._advanced(heads, stops, tangent)
+            passed.append(heads.take(good))
+            came_along[behind] = True
+            step += 1
+        branch, ahead, points, tangents = (
+            np.concatenate([getattr(part, name) for part in passed])
+            for name in ("branch", "ahead", "x", "tangent")
         )
+        order = np.lexsort((ahead, branch))
+        return Followed(self.scale, branch[order], ahead[order], points[order], tangents[order])
+
+    def _beginning(self, at: Index, x: Array, tangent: Array, ahead: bool) -> Heads:
+        """Branches at their beginnings; those that cannot be followed end there."""
+        begins = np.isfinite(tangent).all(axis=1) & ~_at_end(x[:, -1], tangent[:, -1])
+        return Heads.beginning(at, ahead, x, tangent, np.where(begins, self.options.ds, 0.0))
+
+    def _promising(self, heads: Heads) -> Heads:
+        """Those on whose branches there may have been a gait not long ago."""
+        assert self.may_be_gaits is not None
+        gaits = self.may_be_gaits(heads.x[:, :-1], self._point(heads.branch, heads.x[:, -1:]))
+        heads = replace(heads, idle=np.where(gaits, 0.0, heads.idle))
+        return heads.take(heads.idle <= PATIENCE)
+
+    def _advanced(self, heads: Heads, stops: Stops, beginnings: Array) -> tuple[Heads, Mask, Index]:
+        """Heads an arclength step later, which of them got on, and beginnings met from behind."""
+        at, x, tangent, ds = heads.branch, heads.x, heads.tangent, heads.ds
+        y, new, good, factor = self._step(at, x, tangent, heads.bend, ds)
+        shortest, longest = self.period_range
+        period, s = y[:, -2], y[:, -1]
+        ended = ~((period > shortest) & (period <= longest)) | (s <= 0) | (s >= 1)
+        row, stop = stops.between(self.line[at[good]], x[good], y[good], tangent[good], new[good])
+        ended[np.flatnonzero(good)[row]] = True
+        row, stop = row[stop < len(beginnings)], stop[stop < len(beginnings)]
+        behind = (new[good][row] * beginnings[stop] / self.scale**2).sum(axis=1) > 0
+        with np.errstate(invalid="ignore", divide="ignore"):
+            bend = (new - tangent) / self._norm(y - x)[:, None]
+        moved = good[:, None]
+        heads = Heads(
+            at,
+            heads.ahead,
+            np.where(moved, y, x),
+            np.where(moved, new, tangent),
+            np.where(moved, bend, heads.bend),
+            np.where(good & ended, 0.0, np.minimum(factor * ds, self.options.ds_max)),
+            heads.idle + np.where(good, ds, 0.0),
+            heads.steps + 1,
+        )
+        return heads, good, stop[behind]
 
     def _step(
         self, at: Index, x: Array, tangent: Array, bend: Array, ds: Array

@@ -5,6 +5,8 @@ linear scramble of their digits and a random digital shift (J. Matousek 1998, J.
 computed here because loading SciPy's statistics takes longer than a whole search at one point.
 """
 
+from functools import cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -58,15 +60,16 @@ def sobol_points(dimensions: int, m: int, rng: np.random.Generator) -> Array:
         by_scipy: Array = qmc.Sobol(dimensions, rng=rng).random_base2(m)
         return by_scipy
     # SciPy leaves the generator that it is given to its owner, and draws from a child of it.
-    bits, shift = _scrambled(_directions(dimensions), rng.spawn(1)[0])
+    bits, shift = _scrambled(_directions(dimensions)[:, :m], rng.spawn(1)[0])
     # Neighbours in a reflected Gray code differ in one digit, and so in one direction number.
     points_as_bits = shift[None]
-    for column in bits.T[:m]:
+    for column in bits.T:
         points_as_bits = np.concatenate([points_as_bits, points_as_bits[::-1] ^ column])
     points: Array = points_as_bits * np.float64(2.0**-DIGITS)
     return points
 
 
+@cache
 def _directions(dimensions: int) -> Bits:
     """Direction numbers, shape (dimensions, DIGITS), each with its digits at the upper end."""
     rows = [[1] * DIGITS]

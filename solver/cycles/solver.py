@@ -1,12 +1,15 @@
 """Limit cycles from guesses, on arrays of points: Newton's method, refinement, acceptance."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Backend, Kernels
+from stridemap.solver.backends.base import Searched as Ends
 from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.cycles.acceptance import NEARLY, Candidates, depends_on_resolution
 from stridemap.solver.cycles.batches import batches
@@ -74,17 +77,22 @@ class Solver:
         """The solver of a model with its kernels on a backend, by default the fastest that there is."""
         return cls(model, load_kernels(model, backend), acceptance or AcceptanceOptions())
 
-    @property
+    @cached_property
     def resolution(self) -> Resolution:
         """Chooses how many RK steps a step of the walker gets."""
         return Resolution(self.model)
 
-    def search(self, guesses: Array, params: Array, steps: int | None = None) -> tuple[Array, Mask]:
+    def search(self, guesses: Array, params: Array) -> tuple[Array, Mask]:
         """Newton's method from rough guesses: solutions, and whether each is one; see `searched`."""
-        out = self.searched(guesses, params, steps)
+        out = self.searched(guesses, params)
         return out.u, out.closed
 
-    def searched(self, guesses: Array, params: Array, steps: int | None = None) -> "Searched":
+    def quick_search(self, guesses: Array, params: Array, steps: int | None = None) -> tuple[Array, Mask]:
+        """The same where many guesses lead to each solution, in no more than so many Newton steps."""
+        out = self._ended(partial(self.kernels.quick_search, steps=steps), guesses, params)
+        return out.u, out.closed
+
+    def searched(self, guesses: Array, params: Array) -> Searched:
         """Newton's method from rough guesses.
 
         Where it nearly closes at a resolution that does not resolve the motion, the end counts as closed: to
@@ -96,16 +104,18 @@ class Solver:
         guesses : ndarray, shape (n, nz + 1)
             Section point and period.
         params : ndarray, shape (n, n_params)
-        steps : int, optional
-            Newton steps at most, where fewer will do.
         """
+        return self._ended(self.kernels.search, guesses, params)
+
+    def _ended(self, search: Callable[[int, Array, Array], Ends], guesses: Array, params: Array) -> Searched:
+        """How searches with one of the backend's methods end."""
         u, size = np.full(guesses.shape, np.nan), np.full(len(guesses), np.nan)
         promising = np.zeros(len(guesses), dtype=bool)
         n_rk = self.resolution.search_n_rk(guesses[:, -1], params)
         scale = Scales.of(self.model).residual
         for n in distinct(n_rk):
             at = np.flatnonzero(n_rk == n)
-            u[at], residual = self.kernels.search(n, guesses[at], params[at], steps)
+            u[at], residual = search(n, guesses[at], params[at])
             size[at] = np.abs(residual / scale).max(axis=1)
             with np.errstate(invalid="ignore"):
                 near = (size[at] >= SEARCH_RESIDUAL) & (size[at] < NEARLY) & (u[at, -1] > 0)

@@ -1,6 +1,6 @@
 """How many RK steps a step of the walker needs: the resolution follows its fastest mode."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,9 @@ SEARCH_PHASE, BRANCH_PHASE, CYCLE_PHASE = 1.5, 0.75, 0.45
 """Phase of the fastest mode in one RK step at most. A search needs only to come near; but at twice its phase,
 sweeps were seen to lose cycles with a stiff spring. A branch that is nearly vertical is moved much by an
 error of the residual: at the phase of the search, by two cells of the default sweep."""
+
+KEPT = 50_000
+"""Points whose fastest mode is kept, some 200 bytes each."""
 
 BRANCH_N_RK = tuple(sorted({*SEARCH_N_RK, *CYCLE_N_RK}))
 """Resolutions with which branches are followed."""
@@ -38,21 +41,35 @@ class Resolution:
     """
 
     model: Model
+    _known: dict[bytes, float] = field(default_factory=dict, repr=False, compare=False)
 
     def fastest_mode(self, params: Array) -> Array:
-        """Largest modulus of an eigenvalue of the swing phase linearised upright at rest, shape (n,)."""
-        unique, inverse = np.unique(params, axis=0, return_inverse=True)
+        """Largest modulus of an eigenvalue of the swing phase linearised upright at rest, shape (n,).
+
+        Those of the last points are kept: a search asks for the same ones again and again.
+        """
+        points = [point.tobytes() for point in params]
+        new = {point: row for row, point in enumerate(points) if point not in self._known}
+        if len(self._known) + len(new) > KEPT:
+            self._known.clear()
+            new = {point: row for row, point in enumerate(points)}
+        if new:
+            modes = self._fastest_mode(params[list(new.values())])
+            self._known.update(zip(new, modes.tolist(), strict=True))
+        return np.array([self._known[point] for point in points])
+
+    def _fastest_mode(self, params: Array) -> Array:
         n = len(self.model.coordinates)
-        rest = {"t": 0.0, "q": np.zeros(n), "v": np.zeros(n), "p": unique}
+        rest = {"t": 0.0, "q": np.zeros(n), "v": np.zeros(n), "p": params}
         dv_dq = self.model.evaluate("state_derivative_dq", **rest)["dv_dq"]
         dv_dv = self.model.evaluate("state_derivative_dv", **rest)["dv_dv"]
-        kinematics = np.broadcast_to(np.eye(n, 2 * n, n), (len(unique), n, 2 * n))
+        kinematics = np.broadcast_to(np.eye(n, 2 * n, n), (len(params), n, 2 * n))
         linear = np.concatenate([kinematics, np.concatenate([dv_dq, dv_dv], axis=2)], axis=1)
         # Beyond the range of numbers: any resolution will do, Newton's method fails at each.
-        modes = np.full(len(unique), np.inf)
+        modes = np.full(len(params), np.inf)
         finite = np.isfinite(linear).all(axis=(1, 2))
         modes[finite] = np.abs(np.linalg.eigvals(linear[finite])).max(axis=1)
-        return modes[inverse.ravel()]
+        return modes
 
     def cycle_n_rk(self, period: Array, params: Array) -> Index:
         """RK steps with which limit cycles of these periods are first computed, shape (n,)."""

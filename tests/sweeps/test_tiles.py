@@ -342,17 +342,22 @@ def test_a_gait_is_found_from_one_beside_it_to_which_only_its_tangent_leads(monk
     assert not len(work(task).orbits["period"])
 
 
-def test_a_search_from_another_cell_begins_at_the_solution_there_as_well(monkeypatch):
-    """Where the tangent leads to a cycle, what the solution itself leads to is not given up."""
+def test_a_search_from_another_cell_begins_where_the_tangent_leads_and_is_short(monkeypatch):
     begun = []
-    search = Solver.search
-    monkeypatch.setattr(Solver, "search", lambda solver, u, p: begun.append(u) or search(solver, u, p))
+    search = Solver.quick_search
+
+    def recorded(solver, u, p, steps):
+        begun.append((u, steps))
+        return search(solver, u, p, steps)
+
+    monkeypatch.setattr(Solver, "quick_search", recorded)
     task = replace(beside_a_known_cycle(), known=Solutions.empty(6), seen=Solutions.empty(6))
     found = work(task)
     assert len(found.orbits["cell"])
-    there = task.incoming.u[0]
-    first = begun[0]
-    assert len(first) == 2
-    assert (first == there).all(axis=1).sum() == 1
-    # Families are joined by both.
+    ((first, steps),) = [(u, steps) for u, steps in begun[:2] if len(u)]
+    assert steps == tiles.STEPS_ACROSS < 10
+    assert first.shape == task.incoming.u.shape == (1, 6)
+    off = np.abs(first - task.incoming.u).max()
+    assert 0.01 < off < 0.5
+    # The families are joined.
     assert 10**12 in found.links.branch

@@ -15,7 +15,6 @@ import pytest
 from stridemap.errors import CompilerError
 from stridemap.solver.api.points import find_orbits
 from stridemap.solver.backends import lanes
-from stridemap.solver.backends.base import Searched
 from stridemap.solver.backends.compiler import compile_shared, find_compiler, processor_features
 from stridemap.solver.backends.lanes import Lanes
 from stridemap.solver.backends.scalar import ScalarC
@@ -139,10 +138,12 @@ def test_a_point_does_not_depend_on_those_beside_it(name):
             for chosen in (np.arange(size), rng.choice(64, size), rng.permutation(64)[:size]):
                 alone = kernels.call(kernel, u[chosen], params[chosen])
                 assert_same_bits(alone, [out[chosen] for out in together])
-    together = kernels.search(12, u, params)
+    together = kernels.quick_search(12, u, params)
     for size in range(1, 34):
         chosen = rng.permutation(64)[:size]
-        assert_same_bits(kernels.search(12, u[chosen], params[chosen]), [out[chosen] for out in together])
+        assert_same_bits(
+            kernels.quick_search(12, u[chosen], params[chosen]), [out[chosen] for out in together]
+        )
 
 
 @pytest.mark.parametrize("name", ["wobbling", pytest.param("compass", marks=pytest.mark.quick)])
@@ -150,8 +151,8 @@ def test_a_search_in_single_precision_ends_where_one_in_double_precision_does(na
     model = load(name)
     scale = Scales.of(model)
     u, params = cases(model, 300)
-    exact = Searched(*Lanes().kernels(model).call(catalogue.search(24), u, params))
-    found = Lanes().kernels(model).search(24, u, params)
+    exact = Lanes().kernels(model).search(24, u, params)
+    found = Lanes().kernels(model).quick_search(24, u, params)
     closed = np.abs(exact.residual / scale.residual).max(axis=1) < 1e-9
     with np.errstate(invalid="ignore"):
         near = (np.abs((found.u - exact.u) / scale.unknowns).max(axis=1) < 1e-3) & closed
@@ -173,7 +174,7 @@ def test_a_search_in_single_precision_is_finished_in_double_precision_where_it_c
     for nearly, closed in ((0.0, 0.0), (1e-2, 1e-8)):
         monkeypatch.setattr(lanes, "NEARLY_CLOSED", nearly)
         monkeypatch.setattr(lanes, "CLOSED", closed)
-        left = Lanes().kernels(model).search(24, u, params).residual
+        left = Lanes().kernels(model).quick_search(24, u, params).residual
         size[nearly] = np.nan_to_num(np.abs(left / Scales.of(model).residual).max(axis=1), nan=np.inf)
     rough, finished = size.values()
     near = (rough > 1e-8) & (rough < 1e-2)
@@ -187,13 +188,13 @@ def test_a_search_takes_no_more_steps_than_it_may():
     model = load("compass")
     u, params = cases(model, 40)
     kernels = Lanes().kernels(model)
-    one = kernels.search(12, u, params, 1)
+    one = kernels.quick_search(12, u, params, 1)
     matrix, residual = kernels.jacobian(12, u, params)
     newton = u - solved(matrix, residual)
     far = np.abs(one.residual / Scales.of(model).residual).max(axis=1) > 1e-2  # it is not finished
     assert far.sum() >= 10
     np.testing.assert_allclose(one.u[far], newton[far], rtol=1e-3, atol=1e-3)
-    assert [len(part) for part in kernels.search(12, u[:0], params[:0])] == [0, 0]
+    assert [len(part) for part in kernels.quick_search(12, u[:0], params[:0])] == [0, 0]
 
 
 @pytest.mark.quick
