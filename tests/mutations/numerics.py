@@ -2,7 +2,9 @@
 
 from tests.mutations.mutation import Mutation
 
+LANES = "tests/solver/backends/test_lanes.py"
 LOCKSTEP = "tests/solver/backends/test_lockstep.py"
+RESOLUTION = "tests/solver/kernels/test_resolution.py"
 JETS = "tests/solver/backends/test_jets.py"
 ERRORS = "tests/solver/cycles/test_errors.py"
 SOLVER = "tests/solver/cycles/test_solver.py"
@@ -44,6 +46,27 @@ KERNELS = (
         "return matrices",
         "rows and columns of derivatives change places",
         ("tests/solver/backends/test_base.py::test_results_are_named_and_matrices_are_row_by_row",),
+    ),
+    Mutation(
+        "solver/backends/lanes.py",
+        "near = np.flatnonzero((size > CLOSED) & (size < NEARLY_CLOSED))",
+        "near = np.flatnonzero(size < 0)",
+        "a search that single precision leaves open is not finished",
+        (f"{LANES}::test_a_search_in_single_precision_is_finished_in_double_precision_where_it_came_near",),
+    ),
+    Mutation(
+        "solver/backends/lanes.py",
+        "iterations=steps or method.iterations",
+        "iterations=method.iterations",
+        "a search does not keep to its number of steps",
+        (f"{LANES}::test_a_search_takes_no_more_steps_than_it_may",),
+    ),
+    Mutation(
+        "solver/kernels/resolution.py",
+        "            self._known.clear()\n",
+        "",
+        "what is kept of fastest modes grows without a bound",
+        (f"{RESOLUTION}::test_fastest_modes_are_kept_up_to_a_bound",),
     ),
     Mutation(
         "solver/backends/lockstep.h",

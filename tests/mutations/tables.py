@@ -61,10 +61,17 @@ SWEEPS = (
     ),
     Mutation(
         "sweeps/tiles.py",
-        "return every, np.concatenate([guesses.u, ahead[differs]])",
-        "return every, np.concatenate([guesses.u, u[differs]])",
+        "u[across] = self.solver.predicted(",
+        "_ = self.solver.predicted(",
         "searches do not set out on tangents",
         (f"{TILES}::test_a_gait_is_found_from_one_beside_it_to_which_only_its_tangent_leads",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
+        "(across, STEPS_ACROSS)",
+        "(across, None)",
+        "a search in a cell beside takes as many steps as one from anywhere",
+        (f"{TILES}::test_a_search_from_another_cell_begins_where_the_tangent_leads_and_is_short",),
     ),
     Mutation(
         "sweeps/tiles.py",

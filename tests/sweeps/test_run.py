@@ -339,9 +339,9 @@ def test_progress_only_goes_on(reference):
 @pytest.mark.parametrize(
     ("error", "stage"),
     [
-        (FloatingPointError("boom"), "search"),
+        (FloatingPointError("boom"), "quick_search"),
         (np.linalg.LinAlgError("boom"), "converge"),
-        (MemoryError("boom"), "search"),
+        (MemoryError("boom"), "quick_search"),
         (IndexError("boom"), "converge"),
     ],
 )
@@ -364,7 +364,7 @@ def test_a_cell_that_raises_is_a_row_with_a_reason(tmp_path, monkeypatch, stage,
     rows, sound = read_orbits(tmp_path / "out"), read_orbits(tmp_path / "sound")
     # What branches from other cells pass there is found all the same, if only the search fails.
     assert 0 <= cells["orbits"][1] <= (sound["cell"] == 1).sum()
-    assert (cells["orbits"][1] > 0) == (stage == "search")
+    assert (cells["orbits"][1] > 0) == (stage == "quick_search")
     rows, sound = rows[rows["cell"] != 1], sound[sound["cell"] != 1]
     assert rows["cell"].tolist() == sound["cell"].tolist()
     np.testing.assert_allclose(rows["period"], sound["period"], atol=1e-9, rtol=0)

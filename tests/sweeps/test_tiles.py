@@ -219,7 +219,7 @@ def beside_a_known_cycle(continuation=IN_SWEEPS, **more):
 
 
 def test_no_search_begins_beside_a_known_cycle_and_yet_the_branches_are_one(monkeypatch):
-    monkeypatch.setattr(Solver, "search", refuse)
+    monkeypatch.setattr(Solver, "quick_search", refuse)
     task = beside_a_known_cycle()
     found = work(task)
     assert not found.failures

@@ -30,6 +30,24 @@ def test_the_fastest_mode_is_that_of_the_spring():
     )  # ddtheta = lambda2 sin(theta + slope)
 
 
+@pytest.mark.quick
+def test_fastest_modes_are_kept_up_to_a_bound(monkeypatch):
+    model = load("wobbling")
+    points = np.array([model.point({"k": k}) for k in (1.0, 4.0, 9.0, 16.0, 25.0)])
+    alone = np.array([Resolution(model).fastest_mode(point[None])[0] for point in points])
+    monkeypatch.setattr("stridemap.solver.kernels.resolution.KEPT", 3)
+    resolution = Resolution(model)
+    computed = []
+    compute = Resolution._fastest_mode
+    monkeypatch.setattr(
+        Resolution, "_fastest_mode", lambda one, params: computed.append(len(params)) or compute(one, params)
+    )
+    for some in ([], [0, 1, 0], [1, 2], [3, 2], [0, 1, 2, 3, 4]):
+        np.testing.assert_array_equal(resolution.fastest_mode(points[some]), alone[some])
+        assert len(resolution._known) <= max(3, len(some))
+    assert computed == [2, 1, 2, 5]
+
+
 @pytest.mark.parametrize(
     ("choose", "choices", "spring", "allowed"),
     [("search_n_rk", SEARCH_N_RK, (60.0, 0.1), 1e-4), ("cycle_n_rk", CYCLE_N_RK, (20.0, 0.25), 1e-9)],
