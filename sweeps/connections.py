@@ -26,8 +26,9 @@ Ints = NDArray[np.int64]
 ATTEMPTS = 2
 """How often it is tried to follow two branches that may be one from a line to the line beside it."""
 
-STEPS_ACROSS, DS_ACROSS = 60, 0.3
-"""Arclength steps at most from one cell to the one beside it, and the first of them in terms of the way."""
+STEPS_ACROSS, DS_ACROSS, DS_MAX_ACROSS = 60, 0.1, 0.2
+"""Arclength steps at most from one cell to the one beside it; the first and the longest, in terms of the way.
+With steps as long as the way, one branch in twenty came to a cell that it turns back from."""
 
 
 def open_links(links: Links, joins: Ints, attempts: int = 1) -> Ints:
@@ -97,7 +98,7 @@ def _followed_across(task: Task, guesses: Guesses) -> Ints:
     )
     options = task.continuation
     ds, max_steps = max(DS_ACROSS, options.ds_min), min(options.max_steps, STEPS_ACROSS)
-    options = replace(options, ds=ds, ds_max=max(ds, 1.0), max_steps=max_steps)
+    options = replace(options, ds=ds, ds_max=max(ds, DS_MAX_ACROSS), max_steps=max_steps)
     begin, periods = np.zeros(len(guesses)), task.search.wider_period_range
     followed = follow(solver, guesses.u, begin, origin, there, periods, options, upwards=True)
     passed = followed.crossings(np.array([0.0, 1.0]))

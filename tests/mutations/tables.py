@@ -67,6 +67,13 @@ SWEEPS = (
         (f"{TILES}::test_a_gait_is_found_from_one_beside_it_to_which_only_its_tangent_leads",),
     ),
     Mutation(
+        "sweeps/connections.py",
+        "STEPS_ACROSS, DS_ACROSS, DS_MAX_ACROSS = 60, 0.1, 0.2",
+        "STEPS_ACROSS, DS_ACROSS, DS_MAX_ACROSS = 60, 0.3, 1.0",
+        "branches are followed to the next line in steps as long as the way",
+        (f"{TILES}::test_a_branch_that_turns_back_on_the_way_to_the_next_cell_does_not_join_what_is_there",),
+    ),
+    Mutation(
         "sweeps/tiles.py",
         "(across, STEPS_ACROSS)",
         "(across, None)",

@@ -249,6 +249,36 @@ def test_a_link_that_cannot_be_followed_is_a_failure_of_its_cell_alone(monkeypat
     assert found.joins.tolist() == [[10**12, 5]]
 
 
+def test_a_branch_that_turns_back_on_the_way_to_the_next_cell_does_not_join_what_is_there():
+    """From omega = 3.5 it turns at 3.4479; steps as long as the way came to a cycle at 3.0 all the same."""
+    model = load("wobbling")
+    solver, fixed = Solver.for_model(model), {**model.preset, "k": 48.5, "alpha": 0.15}
+    here, there = (
+        solver.polished(np.array([guess]), model.point({**fixed, "omega": omega})[None])[0]
+        for omega, guess in (
+            (3.5, [0.0957279563, -0.11139562, -0.00203539487, -0.000114391204, -0.0100791512, 2.8418366]),
+            (3.0, [0.0956744072, -0.103831352, -0.00190506689, 0.000147257168, 0.0152833862, 3.27227241]),
+        )
+    )
+    ends = (model.point({**fixed, "omega": omega})[None] for omega in (3.5, 3.0))
+    short = replace(IN_SWEEPS, ds=5e-4, ds_max=5e-3)
+    curve = continuation.follow(solver, here, np.zeros(1), *ends, (0.2, 3.45), short, upwards=True).x
+    assert curve[-1, -1] == 0.0
+    assert curve[:, -1].max() == pytest.approx((3.5 - 3.4479) / 0.5, abs=1e-3)
+    fixed.pop("omega"), fixed.pop("k")
+    task = Task(
+        model, Grid(("k", "omega"), (np.array([48.5]), np.array([3.0, 3.5]))), fixed,
+        SearchOptions(starts=1, period_min=0.3, period_max=3.0), AcceptanceOptions(), IN_SWEEPS, Lanes(),
+        round=2, tile=0, cells=np.array([0]), seeds=np.array([], dtype=np.int64),
+        incoming=Guesses(np.array([0]), here, np.array([7]), np.array([1])),
+        known=Solutions.empty(6),
+        seen=Solutions(np.array([0, 1]), np.vstack([there, here]), np.array([5, 7])),
+    )  # fmt: skip
+    found = connect(task)
+    assert not found.failures
+    assert not len(found.joins)
+
+
 def refuse(*args, **kwargs):
     """In the place of what must not be called."""
     raise AssertionError("called")
