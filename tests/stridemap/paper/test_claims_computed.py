@@ -227,7 +227,7 @@ def test_unusable_words_are_refused(words, expected, tmp_path, refused):
 
 
 def test_sweeps_without_a_physical_gait_are_reported(tmp_path, run):
-    """Where the leg is to swing backwards there is none: 8,192 starts find none at each of five frequencies."""
+    """Where the leg is to swing backwards, 8,192 starts find none at each of five frequencies."""
     status, out, err = run(*f"claims --sweeps {tmp_path} --thin 60 --workers 1 --set S=-1.5".split())
     assert (status, out) == (2, "")
     assert err.splitlines()[-1].startswith(
