@@ -17,7 +17,7 @@ sweeps were seen to lose cycles with a stiff spring. A branch that is nearly ver
 error of the residual: at the phase of the search, by two cells of the default sweep."""
 
 KEPT = 50_000
-"""Points whose fastest mode is kept, some 200 bytes each."""
+"""Points whose fastest mode is kept, some 200 bytes each; when they are more, all are given up."""
 
 BRANCH_N_RK = tuple(sorted({*SEARCH_N_RK, *CYCLE_N_RK}))
 """Resolutions with which branches are followed."""
@@ -49,14 +49,16 @@ class Resolution:
         Those of the last points are kept: a search asks for the same ones again and again.
         """
         points = [point.tobytes() for point in params]
-        new = {point: row for row, point in enumerate(points) if point not in self._known}
-        if len(self._known) + len(new) > KEPT:
-            self._known.clear()
-            new = {point: row for row, point in enumerate(points)}
-        if new:
-            modes = self._fastest_mode(params[list(new.values())])
-            self._known.update(zip(new, modes.tolist(), strict=True))
-        return np.array([self._known[point] for point in points])
+        modes = np.array([self._known.get(point, np.nan) for point in points])
+        missing = np.flatnonzero(np.isnan(modes)).tolist()
+        if missing:
+            new = {points[row]: row for row in missing}
+            computed = dict(zip(new, self._fastest_mode(params[list(new.values())]).tolist(), strict=True))
+            modes[missing] = [computed[points[row]] for row in missing]
+            if len(self._known) + len(computed) > KEPT:
+                self._known.clear()
+            self._known.update(computed)
+        return modes
 
     def _fastest_mode(self, params: Array) -> Array:
         n = len(self.model.coordinates)
