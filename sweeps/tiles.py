@@ -18,7 +18,7 @@ from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import starts
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import FOUND, STATUSES
-from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK, SEARCH_N_RK
 from stridemap.solver.model.scales import Scales
 from stridemap.sweeps.apart import one_by_one
 from stridemap.sweeps.changes import Stretches
@@ -42,7 +42,7 @@ ACROSS = 16
 BEYOND = 0.1
 """Of the distance between two cells: so far beyond a fold a cell is tried that the branch may pass."""
 
-STEPS_ACROSS = 5
+NEWTON_STEPS_ACROSS = 5
 """Newton steps at most from where the tangent leads in a cell beside: a solution that is there is near."""
 
 BESIDE = 0.2
@@ -99,6 +99,9 @@ class _Search:
         self.solver = Solver.for_model(task.model, task.backend, task.acceptance)
         self.scale = Scales.of(task.model).unknowns
         self.width = len(self.scale)
+        # What a quick search needs is compiled now: if that raises, it is not the fault of some cells.
+        none = np.empty((0, self.width)), np.empty((0, len(task.model.parameters)))
+        self.solver.kernels.quick_search(SEARCH_N_RK[0], *none)
         self.lines = Lines.of(task.grid, task.cells)
         self.failures: dict[int, str] = {}
         self.discarded: Counter[tuple[int, str]] = Counter()
@@ -235,7 +238,7 @@ class _Search:
         across = guesses.origin != guesses.cell
         u[across] = self.solver.predicted(u[across], self._points(guesses.origin[across]), points[across])
         closed = np.zeros(len(u), dtype=bool)
-        for some, steps in ((~across, None), (across, STEPS_ACROSS)):
+        for some, steps in ((~across, None), (across, NEWTON_STEPS_ACROSS)):
             u[some], closed[some] = self.solver.quick_search(u[some], points[some], steps)
         at = np.flatnonzero(closed)
         kept, group = grouped(guesses.cell[at], u[at], SEARCH_TOLERANCE, backwards(u), self.scale)

@@ -134,7 +134,8 @@ class Kernels(ABC):
     def quick_search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
         """The same where many guesses lead to each solution, so that some of them may be lost for speed.
 
-        It takes no more than so many Newton steps, on backends that can stop earlier than the kernel does.
+        Single precision will do, and so many Newton steps, at least one; what came near may take some more. A
+        backend that cannot stop early takes as many as the kernel does.
         """
         return self.search(n_rk, u, p)
 

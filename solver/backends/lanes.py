@@ -224,10 +224,12 @@ class LaneKernels(Kernels):
         Where that came near, which an unstable cycle magnifies, it goes on in double precision.
         """
         u, p = np.array(u, dtype=np.float64, order="C"), np.ascontiguousarray(p, dtype=np.float64)
-        method = NEWTON[search(n_rk)]
+        library, method = self._search, NEWTON[search(n_rk)]
+        if len(u) != len(p):
+            raise ValueError(f"there are {len(u)} guesses and {len(p)} points of parameters")
         if not len(u):
             return Searched(u, u.copy())
-        self._newton(self._search, replace(method, iterations=steps or method.iterations), u, p)
+        self._newton(library, replace(method, iterations=steps or method.iterations), u, p)
         closing = self.residual(n_rk, u, p)
         size = np.abs(closing / Scales.of(self.model).residual).max(axis=1)
         with np.errstate(invalid="ignore"):

@@ -61,10 +61,6 @@ PATIENCE = 2.0
 SHORT = 0.02
 """Of an arclength step: a correction that is so small is the last, if it is below the tolerance."""
 
-FEW, LEFT = 32, 8
-"""The way back begins when so few are left, and no more than one of so many: to go on costs as much for
-few as for some dozens. Till then most of those are known that need not be followed."""
-
 LOOK = 8
 """Arclength steps after which a look is taken whether cycles may be gaits."""
 
@@ -306,28 +302,28 @@ class _Lines:
     def _followed(self, x: Array, tangent: Array, stops: Stops, back: bool) -> Followed:
         """Follow branches ahead to their ends; with `back` then the other way.
 
-        That way begins when few are left, for those that none of the others has come along till then.
+        That way begins on each line when none is left on it, for those that no other one has come along.
         """
         options = self.options
         came_along = np.zeros(len(x), dtype=bool)
         heads = self._beginning(np.arange(len(x)), x, tangent, ahead=True)
         passed = [heads]
-        few, step = min(FEW, len(x) // LEFT), 0
+        waiting = np.full(len(self.first), back)  # lines whose way back has not begun
         while True:
             heads = heads.take((heads.ds >= options.ds_min) & (heads.steps < options.max_steps))
-            if back and len(heads) <= few:
-                at = np.flatnonzero(~came_along)
+            begins = waiting.copy()
+            begins[self.line[heads.branch[heads.ahead]]] = False
+            if begins.any():
+                at = np.flatnonzero(begins[self.line] & ~came_along)
                 passed.append(self._beginning(at, x[at], -tangent[at], ahead=False))
-                heads, back = Heads.concatenate([heads, passed[-1]]), False
+                heads, waiting = Heads.concatenate([heads, passed[-1]]), waiting & ~begins
                 continue
             if not len(heads):
                 break
-            if self.may_be_gaits is not None and step % LOOK == 0:
-                heads = self._promising(heads)
+            heads = self._promising(heads)
             heads, good, behind = self._advanced(heads, stops, tangent)
             passed.append(heads.take(good))
             came_along[behind] = True
-            step += 1
         branch, ahead, points, tangents = (
             np.concatenate([getattr(part, name) for part in passed])
             for name in ("branch", "ahead", "x", "tangent")
@@ -341,11 +337,16 @@ class _Lines:
         return Heads.beginning(at, ahead, x, tangent, np.where(begins, self.options.ds, 0.0))
 
     def _promising(self, heads: Heads) -> Heads:
-        """Those on whose branches there may have been a gait not long ago."""
-        assert self.may_be_gaits is not None
-        gaits = self.may_be_gaits(heads.x[:, :-1], self._point(heads.branch, heads.x[:, -1:]))
-        heads = replace(heads, idle=np.where(gaits, 0.0, heads.idle))
-        return heads.take(heads.idle <= PATIENCE)
+        """Those on whose branches there was a gait not long ago, as far as it is time for a look."""
+        look = np.flatnonzero(heads.steps % LOOK == 0)
+        if self.may_be_gaits is None or not len(look):
+            return heads
+        u, at = heads.x[look, :-1], heads.branch[look]
+        idle = heads.idle.copy()
+        idle[look[self.may_be_gaits(u, self._point(at, heads.x[look, -1:]))]] = 0.0
+        given_up = np.zeros(len(heads), dtype=bool)
+        given_up[look] = idle[look] > PATIENCE
+        return replace(heads, idle=idle).take(~given_up)
 
     def _advanced(self, heads: Heads, stops: Stops, beginnings: Array) -> tuple[Heads, Mask, Index]:
         """Heads an arclength step later, which of them got on, and beginnings met from behind."""

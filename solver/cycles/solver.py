@@ -88,7 +88,7 @@ class Solver:
         return out.u, out.closed
 
     def quick_search(self, guesses: Array, params: Array, steps: int | None = None) -> tuple[Array, Mask]:
-        """The same where many guesses lead to each solution, in no more than so many Newton steps."""
+        """The same where many guesses lead to each solution: see `Kernels.quick_search`."""
         out = self._ended(partial(self.kernels.quick_search, steps=steps), guesses, params)
         return out.u, out.closed
 

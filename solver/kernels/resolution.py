@@ -46,7 +46,7 @@ class Resolution:
     def fastest_mode(self, params: Array) -> Array:
         """Largest modulus of an eigenvalue of the swing phase linearised upright at rest, shape (n,).
 
-        Those of the last points are kept: a search asks for the same ones again and again.
+        They are kept: a search asks for the same ones again and again.
         """
         points = [point.tobytes() for point in params]
         modes = np.array([self._known.get(point, np.nan) for point in points])

@@ -75,7 +75,7 @@ SWEEPS = (
     ),
     Mutation(
         "sweeps/tiles.py",
-        "(across, STEPS_ACROSS)",
+        "(across, NEWTON_STEPS_ACROSS)",
         "(across, None)",
         "a search in a cell beside takes as many steps as one from anywhere",
         (f"{TILES}::test_a_search_from_another_cell_begins_where_the_tangent_leads_and_is_short",),

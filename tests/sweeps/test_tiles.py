@@ -385,7 +385,7 @@ def test_a_search_from_another_cell_begins_where_the_tangent_leads_and_is_short(
     found = work(task)
     assert len(found.orbits["cell"])
     ((first, steps),) = [(u, steps) for u, steps in begun[:2] if len(u)]
-    assert steps == tiles.STEPS_ACROSS < 10
+    assert steps == tiles.NEWTON_STEPS_ACROSS < 10
     assert first.shape == task.incoming.u.shape == (1, 6)
     off = np.abs(first - task.incoming.u).max()
     assert 0.01 < off < 0.5

@@ -226,6 +226,7 @@ def test_the_processor_does_not_change_a_bit(name, instructions):
     wide, other = Lanes().kernels(model), Lanes(instructions=instructions).kernels(model)
     for kernel in KERNELS:
         assert_same_bits(other.call(kernel, u, params), wide.call(kernel, u, params))
+    assert_same_bits(other.quick_search(12, u, params), wide.quick_search(12, u, params))
 
 
 @each_instruction_set
@@ -360,6 +361,7 @@ def test_the_compiler_does_not_change_a_bit(compiler):
     expected, found = Lanes().kernels(model), Lanes(compiler).kernels(model)
     for kernel in KERNELS:
         assert_same_bits(found.call(kernel, u, params), expected.call(kernel, u, params))
+    assert_same_bits(found.quick_search(12, u, params), expected.quick_search(12, u, params))
 
 
 def test_cache_of_several_machines_keeps_their_libraries_apart(tmp_path, monkeypatch):

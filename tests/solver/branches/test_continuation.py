@@ -110,6 +110,39 @@ def test_following_back_returns():
         np.testing.assert_allclose(converged(model, end, p), start, rtol=0, atol=1e-10)
 
 
+def test_where_branches_are_given_up_does_not_depend_on_other_lines():
+    """Each line is as it is alone: when its way back begins, and when gaits are looked for."""
+    model = load("wobbling")
+    solver = Solver.for_model(model)
+    alphas = np.repeat(np.linspace(0.2, 0.5, 5), 4)
+    springs = np.tile([4.0, 9.0, 14.0, 19.0], 5)
+    points = np.array([model.point({"k": k, "alpha": a}) for k, a in zip(springs, alphas, strict=True)])
+    at, cycles = find_all(solver, points)
+    k = model.spec.names.index("k")
+    start, target = points[at].copy(), points[at].copy()
+    start[:, k], target[:, k] = 2.0, 22.0
+    s = (points[at][:, k] - 2.0) / 20.0
+
+    def run(rows):
+        return follow(
+            solver, cycles.u[rows], s[rows], start[rows], target[rows], RANGE,
+            may_be_gaits=lambda u, params: u[:, -1] > 1.15,
+        )  # fmt: skip
+
+    together = run(np.arange(len(at)))
+    lengths = []
+    for alpha in np.unique(alphas):
+        rows = np.flatnonzero(alphas[at] == alpha)
+        alone = run(rows)
+        mine = np.isin(together.branch, rows)
+        lengths.append(mine.sum())
+        np.testing.assert_array_equal(rows[alone.branch], together.branch[mine])
+        np.testing.assert_array_equal(alone.ahead, together.ahead[mine])
+        np.testing.assert_array_equal(alone.x, together.x[mine])
+    assert len(set(lengths)) > 1
+    assert (~together.ahead).sum() > 100
+
+
 def test_branches_on_different_lines_do_not_depend_on_each_other():
     model = load("wobbling")
     u, p = cycles_at(model, k=22.5)
