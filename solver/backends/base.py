@@ -134,8 +134,16 @@ class Kernels(ABC):
     def quick_search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
         """The same where many guesses lead to each solution, so that some of them may be lost for speed.
 
-        Single precision will do, and so many Newton steps, at least one; what came near may take some more. A
-        backend that cannot stop early takes as many as the kernel does.
+        Single precision will do. The residuals are in double precision in any case.
+
+        Parameters
+        ----------
+        n_rk : int
+        u : ndarray, shape (n, nz + 1)
+        p : ndarray, shape (n, n_params)
+        steps : int, optional
+            Newton steps, at least 1, after which it may stop; what came near may take some more. A backend
+            that cannot stop early takes as many as the kernel does.
         """
         return self.search(n_rk, u, p)
 

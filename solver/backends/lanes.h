@@ -70,7 +70,7 @@ static inline Lanes operator!=(Lanes a, Lanes b) { return truth(a.v != b.v); }
  * x = n pi/2 + r with |r| <= pi/4. pi/2 is cut into three parts (Cody and Waite): up to `FARTHEST` the products
  * of n with the first two are exact. Beyond it the result is NaN: such an angle is no walker's. The polynomials
  * interpolate (sin r / r - 1) / r^2 and (cos r - 1 + r^2/2) / r^4, in z = r^2, at the Chebyshev points of the
- * interval. What r is rounded by is left out: it makes a sine wrong by no more than the rounding of x does. */
+ * interval. The rounding error of r is not carried along: it changes a sine by no more than that of x does. */
 
 #ifdef SINGLE_PRECISION
 

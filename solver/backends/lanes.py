@@ -25,8 +25,10 @@ from stridemap.solver.backends.compiler import Compiler, processor_features
 from stridemap.solver.backends.shared_library import check, pointers, sizes
 from stridemap.solver.kernels.catalogue import (
     BRANCH_FREE,
+    NEARLY,
     NEWTON,
     PLAIN_PIECES,
+    SEARCH_RESIDUAL,
     Kernel,
     Kind,
     Newton,
@@ -158,9 +160,8 @@ RESIDUALS = tuple(kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDU
 
 SEARCHES = tuple(kernel for kernel in NEWTON if kernel.kind == Kind.SEARCH)
 
-CLOSED, NEARLY_CLOSED, FINISHING = 1e-4, 1e-2, 4
-"""Residuals in terms of the scales, between which a search in single precision is finished in double
-precision, and Newton steps for it."""
+FINISHING = 4
+"""Newton steps at most in double precision, where single precision came near and left much open."""
 
 
 @dataclass(frozen=True)
@@ -233,7 +234,7 @@ class LaneKernels(Kernels):
         closing = self.residual(n_rk, u, p)
         size = np.abs(closing / Scales.of(self.model).residual).max(axis=1)
         with np.errstate(invalid="ignore"):
-            near = np.flatnonzero((size > CLOSED) & (size < NEARLY_CLOSED))
+            near = np.flatnonzero((size > SEARCH_RESIDUAL) & (size < NEARLY))
         ends = u[near]
         self._newton(self._library, replace(method, iterations=FINISHING), ends, p[near])
         u[near], closing[near] = ends, self.residual(n_rk, ends, p[near])

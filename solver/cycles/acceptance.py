@@ -14,6 +14,7 @@ from stridemap.solver.cycles.errors import COARSE, ROUNDING, Correction, size
 from stridemap.solver.cycles.orbits import Orbits, column
 from stridemap.solver.cycles.precise import checked
 from stridemap.solver.cycles.status import CODES, FOUND, Status
+from stridemap.solver.kernels.catalogue import NEARLY
 from stridemap.solver.model.scales import Scales
 from stridemap.solver.observables.events import Trace
 from stridemap.solver.observables.measures import Cycles, measured
@@ -24,9 +25,6 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-
-NEARLY = 1e-2
-"""Residual below which a solution nearly closed, in terms of the scales: a finer resolution may close it."""
 
 RESOLVED = 0.1
 """Change of a residual at twice the resolution, in terms of the residual itself, below which a solution that

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from stridemap.solver.backends.base import Backend, Kernels
 from stridemap.solver.backends.base import Searched as Ends
 from stridemap.solver.backends.selection import load_kernels
-from stridemap.solver.cycles.acceptance import NEARLY, Candidates, depends_on_resolution
+from stridemap.solver.cycles.acceptance import Candidates, depends_on_resolution
 from stridemap.solver.cycles.batches import batches
 from stridemap.solver.cycles.duplicates import first_of_each
 from stridemap.solver.cycles.orbits import Orbits
-from stridemap.solver.kernels.catalogue import CYCLE_N_RK, FINE_N_RK
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK, FINE_N_RK, NEARLY, SEARCH_RESIDUAL
 from stridemap.solver.kernels.dormand_prince import ORDER
 from stridemap.solver.kernels.resolution import Resolution, coarsest, distinct
 from stridemap.solver.linear import solved
@@ -26,9 +26,6 @@ from stridemap.solver.options import AcceptanceOptions
 Array = NDArray[np.float64]
 
 Mask = NDArray[np.bool_]
-
-SEARCH_RESIDUAL = 1e-4
-"""What a search may leave open for Newton's method at full resolution, in terms of the model's scales."""
 
 POLISHES, USES, POLISHED, NEAR, FAR = 12, 2, 1e-6, 0.05, 20.0
 """Newton steps from a good guess at most, and those with one derivative; and sizes of a step, in terms of the

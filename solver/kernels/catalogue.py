@@ -144,6 +144,12 @@ NEWTON = {
 }
 """The kernels that are Newton's method."""
 
+SEARCH_RESIDUAL = 1e-4
+"""What a search may leave open for Newton's method at full resolution, in terms of the model's scales."""
+
+NEARLY = 1e-2
+"""Residual below which a solution nearly closed, in terms of the scales: a finer resolution may close it."""
+
 BRANCH_FREE = (
     *(residual(n) for n in sorted({*SEARCH_N_RK, *CYCLE_N_RK})),
     *(jacobian(n) for n in sorted({*SEARCH_N_RK, *CYCLE_N_RK, *(m.jacobian_n_rk for m in NEWTON.values())})),

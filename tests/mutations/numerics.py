@@ -49,7 +49,7 @@ KERNELS = (
     ),
     Mutation(
         "solver/backends/lanes.py",
-        "near = np.flatnonzero((size > CLOSED) & (size < NEARLY_CLOSED))",
+        "near = np.flatnonzero((size > SEARCH_RESIDUAL) & (size < NEARLY))",
         "near = np.flatnonzero(size < 0)",
         "a search that single precision leaves open is not finished",
         (f"{LANES}::test_a_search_in_single_precision_is_finished_in_double_precision_where_it_came_near",),

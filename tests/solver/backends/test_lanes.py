@@ -172,8 +172,8 @@ def test_a_search_in_single_precision_is_finished_in_double_precision_where_it_c
     u, params = cases(model, 300)
     size = {}
     for nearly, closed in ((0.0, 0.0), (1e-2, 1e-8)):
-        monkeypatch.setattr(lanes, "NEARLY_CLOSED", nearly)
-        monkeypatch.setattr(lanes, "CLOSED", closed)
+        monkeypatch.setattr(lanes, "NEARLY", nearly)
+        monkeypatch.setattr(lanes, "SEARCH_RESIDUAL", closed)
         left = Lanes().kernels(model).quick_search(24, u, params).residual
         size[nearly] = np.nan_to_num(np.abs(left / Scales.of(model).residual).max(axis=1), nan=np.inf)
     rough, finished = size.values()
