@@ -352,6 +352,13 @@ FOLLOWED = (
         (f"{CONTINUATION}::test_where_branches_are_given_up_does_not_depend_on_other_lines",),
     ),
     Mutation(
+        "solver/branches/continuation.py",
+        "look = np.flatnonzero(heads.steps % LOOK == 0)",
+        "look = np.flatnonzero(heads.steps % LOOK == heads.steps.max() % LOOK)",
+        "where a branch is given up depends on others",
+        (f"{CONTINUATION}::test_where_branches_are_given_up_does_not_depend_on_other_lines",),
+    ),
+    Mutation(
         "solver/branches/stops.py",
         "good = distance < ON_CURVE * length[row]",
         "good = distance < 10 * ON_CURVE * length[row]",
