@@ -332,6 +332,13 @@ FOLLOWED = (
     ),
     Mutation(
         "solver/branches/continuation.py",
+        "good &= self._aside(x, y, tangent, new) < ASIDE",
+        "good &= self._aside(x, y, tangent, new) < np.inf",
+        "long steps stray to other curves",
+        (f"{CONTINUATION}::test_steps_as_long_as_in_sweeps_do_not_stray_to_a_curve_beside",),
+    ),
+    Mutation(
+        "solver/branches/continuation.py",
         "if len(sharp):",
         "if False:",
         "tangents where branches turn sharply are those of the predicted points",

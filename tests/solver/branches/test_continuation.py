@@ -11,7 +11,7 @@ from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
 from stridemap.solver.model.scales import Scales
-from stridemap.solver.options import IN_SWEEPS
+from stridemap.solver.options import IN_SWEEPS, IN_SWEEPS_OF_CYCLES
 from tests.oracles.reference import REFERENCE, TWO_CYCLES
 
 RANGE = (0.3, 3.0)
@@ -202,6 +202,37 @@ def test_a_branch_without_gaits_ends_when_patience_does(monkeypatch):
     )  # fmt: skip
     assert len(none.x) < len(whole.x)
     np.testing.assert_array_equal(all_.x, whole.x)
+
+
+@pytest.mark.parametrize(
+    ("params", "u"),
+    [
+        (
+            {"k": 18.0, "alpha": 0.125, "omega": 2.0},
+            [0.06745765, -0.23351897, -0.00212205, -0.02172563, -1.0938, 1.95936096],
+        ),
+        (
+            {"k": 3.0, "alpha": 0.725, "omega": 3.5},
+            [0.0759557346, -0.2207840623, -0.002542632, -0.00223286, -0.0956746757, 1.12538338],
+        ),
+    ],
+)
+def test_steps_as_long_as_in_sweeps_do_not_stray_to_a_curve_beside(params, u):
+    """Along a whole line of the default sweep, steps of at most 0.02 pass the same cycles."""
+    model, positions = load("wobbling"), np.linspace(0, 1, 120)
+    solver, at = Solver.for_model(model), (params["k"] - 0.5) / 59.5
+    start, target = (model.point({**params, "k": k}) for k in (0.5, 60.0))
+    short = replace(IN_SWEEPS, ds=0.002, ds_max=0.02, max_steps=5000, easy_tangent_cosine=0.995)
+    cycles = []
+    for options in (short, replace(IN_SWEEPS_OF_CYCLES, max_steps=1000)):
+        passed = followed(model, np.array([u]), start, target, options, at, upwards=True).crossings(positions)
+        there = start + positions[passed.position, None] * (target - start)
+        solved, moved = solver.polished(passed.u, there)
+        assert (moved < 0.05).all()
+        order = np.lexsort((solved[:, -1], passed.position))
+        cycles.append(np.column_stack([passed.position, solved])[order])
+    assert len(cycles[0]) > 50
+    np.testing.assert_allclose(cycles[1], cycles[0], rtol=0, atol=1e-4)
 
 
 def test_options_bound_the_steps():
