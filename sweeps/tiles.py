@@ -18,7 +18,7 @@ from stridemap.solver.cycles.orbits import Orbits
 from stridemap.solver.cycles.search import starts
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.cycles.status import FOUND, STATUSES
-from stridemap.solver.kernels.catalogue import CYCLE_N_RK, SEARCH_N_RK
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.scales import Scales
 from stridemap.sweeps.apart import one_by_one
 from stridemap.sweeps.changes import Stretches
@@ -99,9 +99,7 @@ class _Search:
         self.solver = Solver.for_model(task.model, task.backend, task.acceptance)
         self.scale = Scales.of(task.model).unknowns
         self.width = len(self.scale)
-        # What a quick search needs is compiled now: if that raises, it is not the fault of some cells.
-        none = np.empty((0, self.width)), np.empty((0, len(task.model.parameters)))
-        self.solver.kernels.quick_search(SEARCH_N_RK[0], *none)
+        self.solver.kernels.make_ready_for_sweeps()  # if that raises, it is not the fault of some cells
         self.lines = Lines.of(task.grid, task.cells)
         self.failures: dict[int, str] = {}
         self.discarded: Counter[tuple[int, str]] = Counter()

@@ -53,6 +53,17 @@ class Linearised(NamedTuple):
     residual: Array
 
 
+class LinearisedAlong(NamedTuple):
+    """Jacobians, shape (n, nz + 1, nz + 1), row by row.
+
+    Derivatives in directions of the parameters, and residuals, shape (n, nz + 1) each.
+    """
+
+    jacobian: Array
+    along: Array
+    residual: Array
+
+
 class Traced(NamedTuple):
     """States with net works, observables and their time derivatives at the nodes, and residuals.
 
@@ -147,6 +158,16 @@ class Kernels(ABC):
         """
         return self.search(n_rk, u, p)
 
+    def make_ready_for_sweeps(self) -> None:
+        """Compile now what is otherwise compiled when it is first asked for.
+
+        Raises
+        ------
+        CompilerError
+            When the compiler fails.
+        """
+        return
+
     def limit_cycle(self, n_rk: int, u: Array, p: Array) -> Solved:
         """Newton's method from good guesses."""
         kernel = catalogue.limit_cycle(n_rk)
@@ -180,6 +201,21 @@ class Kernels(ABC):
         compiled = kernel in self.functions
         jacobian, residual = self.call(kernel, u, p) if compiled else chained.jacobian(self, n_rk, u, p)
         return Linearised(_by_rows(jacobian), residual)
+
+    def jacobian_along(self, n_rk: int | Index, u: Array, p: Array, d: Array) -> LinearisedAlong:
+        """Residuals with their derivatives with respect to u, and in directions `d` of the parameters.
+
+        There is a kernel for every resolution of searches and of limit cycles up to the last of `CYCLE_N_RK`.
+
+        Parameters
+        ----------
+        n_rk : int or ndarray of int, shape (n,)
+        u : ndarray, shape (n, nz + 1)
+        p, d : ndarray, shape (n, n_params)
+        """
+        each = n_rk if isinstance(n_rk, np.ndarray) else np.full(len(u), n_rk)
+        jacobian, along, residual = self._each(catalogue.jacobian_along, each, u, p, d)
+        return LinearisedAlong(_by_rows(jacobian), along, residual)
 
     def directional(self, n_rk: int, u: Array, p: Array, a: Array, b: Array) -> Directional:
         """Residuals with exact derivatives of first and second order in two directions of (u, p).

@@ -91,7 +91,13 @@ def source(model: Model) -> str:
     InputError
         When the C is not the one that the manifest names.
     """
-    return _joined(_kernels(model), ("lanes.h",), "Lanes", "lockstep.h", _names(model, BRANCH_FREE))
+    kernels = [kernel for kernel in BRANCH_FREE if kernel not in ALONG]
+    return _joined(_kernels(model), ("lanes.h",), "Lanes", "lockstep.h", _names(model, kernels))
+
+
+def along_source(model: Model) -> str:
+    """The derivatives in directions of the parameters too, as one C++ file; see `source`."""
+    return _joined(_kernels(model), ("lanes.h",), "Lanes", "lockstep.h", _names(model, ALONG))
 
 
 def search_source(model: Model) -> str:
@@ -158,6 +164,8 @@ def _names(model: Model, kernels: Sequence[Kernel]) -> list[str]:
 
 RESIDUALS = tuple(kernel for kernel in BRANCH_FREE if kernel.kind == Kind.RESIDUAL)
 
+ALONG = tuple(kernel for kernel in BRANCH_FREE if kernel.kind == Kind.JACOBIAN_ALONG)
+
 SEARCHES = tuple(kernel for kernel in NEWTON if kernel.kind == Kind.SEARCH)
 
 FINISHING = 4
@@ -218,6 +226,15 @@ class LaneKernels(Kernels):
     def _search(self) -> ctypes.CDLL:
         """What quick searches need; compiled when it is first asked for."""
         return self._compiled_now("search", search_source(self.model))
+
+    @cached_property
+    def _along(self) -> ctypes.CDLL:
+        """Derivatives in directions of the parameters too; compiled when they are first asked for."""
+        return self._compiled_now("along", along_source(self.model))
+
+    def make_ready_for_sweeps(self) -> None:
+        """Compile what quick searches and following need: see `Kernels.make_ready_for_sweeps`."""
+        _ = self._search, self._along
 
     def quick_search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
         """Newton's method from rough guesses in single precision: see `Kernels.quick_search`.
@@ -336,9 +353,10 @@ class LaneKernels(Kernels):
     ) -> None:
         """Kernels of the same inputs and outputs, each to so many of the points in their order."""
         n = len(kernels)
-        status = self._library.lockstep_map(
+        library = self._along if kernels[0] in ALONG else self._library
+        status = library.lockstep_map(
             ctypes.c_longlong(n),
-            (ctypes.c_void_p * n)(*(self._shown(self._library, kernel) for kernel in kernels)),
+            (ctypes.c_void_p * n)(*(self._shown(library, kernel) for kernel in kernels)),
             (ctypes.c_longlong * n)(*counts), ctypes.c_void_p(None if points is None else points.ctypes.data),
             ctypes.c_longlong(len(inputs)), pointers(inputs), sizes(inputs),
             ctypes.c_longlong(len(outputs)), pointers(outputs), sizes(outputs),

@@ -38,10 +38,6 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-DIFFERENCE, LARGEST_DIFFERENCE = 1e-8, 1e-5
-"""Of a parameter, for the derivative with respect to `s`; and of `s`. Where cycles are nearly singular, as
-those of very short steps are, its error is magnified by 1e5: at 1e-6 many branches got lost."""
-
 MODES = 16
 """Intervals of a line, in each of which the resolution is chosen for the faster of its ends."""
 
@@ -236,14 +232,6 @@ def follow(
     return lines.upwards(x) if upwards else lines.both_ways(x, np.column_stack(known[:2]), known.branch)
 
 
-def _differences(params: Array, direction: Array) -> Array:
-    """Differences of `s` for derivatives along lines, shape (m,): on a short line they are a larger part."""
-    largest = np.maximum(np.abs(params), np.abs(params + direction))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        part = np.where(direction == 0, 0.0, largest / np.abs(direction)).max(axis=1, initial=0.0)
-    return np.clip(DIFFERENCE * part, DIFFERENCE, LARGEST_DIFFERENCE)
-
-
 def _at_end(s: Array, slope: Array) -> Mask:
     """Whether points are at the end of their line to which their tangents point."""
     return ((s <= 0) & (slope < 0)) | ((s >= 1) & (slope > 0))
@@ -269,7 +257,6 @@ class _Lines:
         _, self.first, line = np.unique(ends, axis=0, return_index=True, return_inverse=True)
         self.line = line.ravel()
         self.modes = self._modes() if len(params) else np.empty((0, MODES))
-        self.difference = _differences(params, self.direction)
 
     def both_ways(self, x: Array, known: Array, on_line_of: Index) -> Followed:
         """Follow all one way first, and then those the other way that none of the others has come along."""
@@ -461,12 +448,12 @@ class _Lines:
         """Derivative of the residual with a last row to be filled in, shape (m, nz + 2, nz + 2); residual."""
         u, s = x[:, :-1], x[:, -1:]
         n = u.shape[1]
-        jacobian, residual = self.kernels.jacobian(n_rk, u, self._point(at, s))
-        h = self.difference[at, None]
-        shifted = self._residual(at, u, s + h, n_rk)
+        jacobian, along, residual = self.kernels.jacobian_along(
+            n_rk, u, self._point(at, s), self.direction[at]
+        )
         matrix = np.zeros((len(x), n + 1, n + 1))
         matrix[:, :n, :n] = jacobian
-        matrix[:, :n, n] = (shifted - residual) / h
+        matrix[:, :n, n] = along
         return matrix, residual
 
     def _residual(self, at: Index, u: Array, s: Array, n_rk: Index) -> Array:

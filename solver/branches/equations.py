@@ -79,10 +79,11 @@ class CycleEquations:
 
     def linearised(self, x: Array, n_rk: int) -> tuple[Array, Array]:
         """Derivative of the residual with respect to x, shape (N, N + f), and the residual, shape (N,)."""
-        n, u = self.chain.n_steps, x[: self.n_unknowns]
-        jacobian, residual = self.chain.jacobian(n_rk, u[None, :], self.point(x[self.n_unknowns :])[None, :])
-        direction = np.repeat(self._directions[self.chain.width :], n, axis=0)
-        along = self._directional(x, direction, direction, n_rk).along_a.reshape(len(self.names), -1)
+        count = len(self.names)
+        u = np.broadcast_to(x[: self.n_unknowns], (count, self.n_unknowns))
+        params = np.broadcast_to(self.point(x[self.n_unknowns :]), (count, len(self.params)))
+        direction = self._directions[self.chain.width :, self.chain.width :]
+        jacobian, along, residual = self.chain.jacobian_along(n_rk, u, params, direction)
         return np.column_stack([jacobian[0], along.T]), residual[0]
 
     def second(self, x: Array, v: Array, n_rk: int) -> Array:

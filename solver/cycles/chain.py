@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Kernels, Linearised
+from stridemap.solver.backends.base import Kernels, Linearised, LinearisedAlong
 from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
 from stridemap.solver.linear import solved
 from stridemap.solver.model.scales import Scales
@@ -58,18 +58,38 @@ class Chain:
     def jacobian(self, n_rk: int, u: Array, p: Array) -> Linearised:
         """Residuals with their derivatives with respect to u; parameters as for `residual`."""
         steps, params = self._steps(u, p)
-        single = self.kernels.jacobian(n_rk, steps, params)
+        return self._whole(steps, *self.kernels.jacobian(n_rk, steps, params))
+
+    def jacobian_along(self, n_rk: int, u: Array, p: Array, d: Array) -> LinearisedAlong:
+        """The same with the derivatives in directions of the parameters.
+
+        Parameters
+        ----------
+        n_rk : int
+        u : ndarray, shape (m, n_steps * (nz + 1))
+        p, d : ndarray, shape (m, n_params)
+        """
+        steps, params = self._steps(u, p)
+        jacobian, along, closing = self.kernels.jacobian_along(
+            n_rk, steps, params, np.repeat(d, self.n_steps, axis=0)
+        )
+        whole = self._whole(steps, jacobian, closing)
+        return LinearisedAlong(whole.jacobian, along.reshape(len(u), -1), whole.residual)
+
+    def _whole(self, steps: Array, jacobian: Array, closing: Array) -> Linearised:
+        """Of whole chains, from those of their steps."""
         n, width, nz = self.n_steps, self.width, self.width - 1
-        blocks = single.jacobian.reshape(-1, n, width, width)
-        full = np.zeros((len(u), n, width, n, width))
+        m = len(steps) // n
+        blocks = jacobian.reshape(-1, n, width, width)
+        full = np.zeros((m, n, width, n, width))
         at = np.arange(n)
         # The kernel's block is that of a step that closes by itself: its -1 belongs to the next point.
         full[:, at, :, at, :] = blocks.transpose(1, 0, 2, 3)
         if n > 1:
             full[:, at, :nz, at, :nz] += np.eye(nz)
             full[:, at, :nz, (at + 1) % n, :nz] -= np.eye(nz)
-        closing = (single.residual + self._change(steps)).reshape(len(u), -1)
-        return Linearised(full.reshape(len(u), n * width, n * width), closing)
+        closing = (closing + self._change(steps)).reshape(m, -1)
+        return Linearised(full.reshape(m, n * width, n * width), closing)
 
     def newton(self, n_rk: int, u: Array, p: Array, tolerance: float = 1e-12, iterations: int = 12) -> Array:
         """Newton's method from guesses; NaN where it does not converge. Parameters as for `residual`.

@@ -31,9 +31,8 @@ POLISHES, USES, POLISHED, NEAR, FAR = 12, 2, 1e-6, 0.05, 20.0
 """Newton steps from a good guess at most, and those with one derivative; and sizes of a step, in terms of the
 scales, after which no other is needed, the derivative is good for another one, and none helps."""
 
-AHEAD, FAR_AHEAD = 1e-6, 1.0
-"""Of the way to other parameters, for the derivative along it; and how far a tangent is followed at most, in
-terms of the scales."""
+FAR_AHEAD = 1.0
+"""How far a tangent is followed at most, in terms of the scales."""
 
 SAME_END = 0.02
 """Distance, in terms of the scales, of two ends of a search that do not close, if they are taken for one."""
@@ -195,9 +194,7 @@ class Solver:
         """
         out, scale = u.copy(), Scales.of(self.model).unknowns
         n_rk = self.resolution.branch_n_rk(u[:, -1], self.resolution.fastest_mode(params))
-        jacobian, residual = self.kernels.jacobian(n_rk, u, params)
-        beside = params + AHEAD * (target - params)
-        slope = (self.kernels.residual(n_rk, u, beside) - residual) / AHEAD
+        jacobian, slope, _ = self.kernels.jacobian_along(n_rk, u, params, target - params)
         change = -solved(jacobian, slope)
         with np.errstate(invalid="ignore"):
             good = np.abs(change / scale).max(axis=1) < FAR_AHEAD

@@ -4,6 +4,7 @@
 `limit_cycle(n)`   Newton's method from a good guess, with Jacobian and residual there
 `residual(n)`      the residual alone
 `jacobian(n)`      the residual with its Jacobian
+`jacobian_along(n)`  the same with the derivative in a direction of the parameters
 `trace(n)`         the states and observables at the n + 1 nodes of a step
 `ADVANCE`          a part of an RK step, observed
 `BEGIN`, `SWING`, `END`, `OBSERVED_SWING`
@@ -33,6 +34,7 @@ class Kind(StrEnum):
     LIMIT_CYCLE = "limit_cycle"
     RESIDUAL = "residual"
     JACOBIAN = "jacobian"
+    JACOBIAN_ALONG = "jacobian_along"
     TRACE = "trace"
     ADVANCE = "advance"
     BEGIN = "begin"
@@ -83,6 +85,11 @@ def residual(n_rk: int) -> Kernel:
 def jacobian(n_rk: int) -> Kernel:
     """The residual and its Jacobian."""
     return Kernel(Kind.JACOBIAN, n_rk)
+
+
+def jacobian_along(n_rk: int) -> Kernel:
+    """The residual with its Jacobian, and its derivative in a direction of the parameters."""
+    return Kernel(Kind.JACOBIAN_ALONG, n_rk)
 
 
 def trace(n_rk: int) -> Kernel:
@@ -153,6 +160,7 @@ NEARLY = 1e-2
 BRANCH_FREE = (
     *(residual(n) for n in sorted({*SEARCH_N_RK, *CYCLE_N_RK})),
     *(jacobian(n) for n in sorted({*SEARCH_N_RK, *CYCLE_N_RK, *(m.jacobian_n_rk for m in NEWTON.values())})),
+    *(jacobian_along(n) for n in sorted({*SEARCH_N_RK, *CYCLE_N_RK})),
     *(trace(2 * n) for n in CYCLE_N_RK),
     ADVANCE,
     BEGIN,
@@ -199,6 +207,7 @@ def shapes(model: Model, kernel: Kernel) -> Shapes:
         return Shapes({"u0": nu, **p}, ((nu, 1), *closing[NEWTON[kernel].closing.kind]))
     known = {
         **{kind: (point, outputs) for kind, outputs in closing.items()},
+        Kind.JACOBIAN_ALONG: ({**point, "d": len(model.parameters)}, ((nu, nu), (nu, 1), (nu, 1))),
         Kind.TRACE: (point, ((width, nodes), (rows, nodes), (rows, nodes), (nu, 1))),
         Kind.ADVANCE: ({"t": 1, "w": width, "h": 1, **p}, ((width, 1), (rows, 1), (rows, 1))),
         Kind.BEGIN: (point, ((n, nu),)),
@@ -249,6 +258,7 @@ class Catalogue(Mapping[Kernel, ca.Function]):
             makers = {
                 Kind.RESIDUAL: step_map.residual,
                 Kind.JACOBIAN: step_map.jacobian,
+                Kind.JACOBIAN_ALONG: step_map.jacobian_along,
                 Kind.TRACE: observation.trace,
             }
             return makers[kernel.kind](kernel.n_rk)

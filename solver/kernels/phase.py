@@ -75,11 +75,17 @@ class Oscillator:
         self.at = ca.Function(
             "phase", [t, p], [ca.vertcat(ca.cos(angle), ca.sin(angle))], ["t", "p"], ["phase"]
         )
+        d = ca.SX.sym("d", *p.shape)
+        self._along = ca.Function("turn", [t, p, d], [ca.jtimes(angle, p, d)])
 
     @staticmethod
     def advance_phase(start: ca.SX, increment: ca.SX) -> ca.SX:
         """The phase after an increment."""
         return ca.vertcat(*rotated((start[0], start[1]), (increment[0], increment[1])))
+
+    def along(self, phase: ca.SX, t: ca.SX, p: ca.SX, d: ca.SX) -> ca.SX:
+        """Derivative of the phase at a time in a direction d of the parameters."""
+        return self._along(t, p, d) * ca.vertcat(-phase[1], phase[0])
 
     def call(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
         """Call a generated function with cosine and sine of the phase in the place of the time."""
@@ -104,6 +110,11 @@ class PlainTime:
     def advance_phase(start: ca.SX, increment: ca.SX) -> ca.SX:
         """The time after an increment."""
         return start + increment
+
+    @staticmethod
+    def along(phase: ca.SX, t: ca.SX, p: ca.SX, d: ca.SX) -> ca.SX:
+        """Derivative of the time in a direction of the parameters: there is none."""
+        return ca.SX.zeros(2)
 
     def call(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:
         """Call a generated function with the time."""

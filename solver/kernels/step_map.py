@@ -77,6 +77,20 @@ class StepMap:
             self.rate_at_phase(phase, state, p), ca.vertcat(lower, dv_dq @ upper + dv_dv @ lower)
         )
 
+    def _rate_along(self, phase: ca.SX, t: ca.SX, y: ca.SX, p: ca.SX, d: ca.SX) -> ca.SX:
+        """The same with one tangent more, that in a direction d of the parameters, shape (2 n, 2 + nz)."""
+        rate = self._variational_rate(phase, y, p)
+        given = self._rate_in_direction(phase, y[:, 0], p, self._clock.along(phase, t, p, d), d)
+        return ca.horzcat(rate[:, :-1], rate[:, -1] + given)
+
+    @cached_property
+    def _rate_in_direction(self) -> ca.Function:
+        """Derivative of the state's rate in a direction of phase and parameters, shape (2 n, 1)."""
+        _, y, p = self._symbols()
+        phase, turn, d = ca.SX.sym("phase", 2), ca.SX.sym("turn", 2), ca.SX.sym("d", self.n_params)
+        moved = ca.jtimes(self.rate_at_phase(phase, y, p), ca.vertcat(phase, p), ca.vertcat(turn, d))
+        return ca.Function("rate_in_direction", [phase, y, p, turn, d], [moved])
+
     @cached_property
     def phase(self) -> ca.Function:
         """(t, p) -> the time as the equations need it: cosine and sine of a phase where they have one."""
@@ -93,13 +107,33 @@ class StepMap:
         """One RK step: (y, phase, increments, h, p) -> y, for a rate of (phase, y, p)."""
         phase, increments, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
         p = ca.SX.sym("p", self.n_params)
-        phases = [
-            self._clock.advance_phase(phase, increments[:, i]) if node else phase
-            for i, node in enumerate(NODES)
-        ]
+        phases = self._phases(phase, increments)
         end = runge_kutta.rk_step(lambda s, x: rate(s, x, p), phases, y, h)
         inputs = {"y": y, "phase": phase, "turns": increments, "h": h, "p": p}
         return ca.Function(name, [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
+
+    def _phases(self, phase: ca.SX, increments: ca.SX) -> list[ca.SX]:
+        """Phases of the stages of an RK step."""
+        return [
+            self._clock.advance_phase(phase, increments[:, i]) if node else phase
+            for i, node in enumerate(NODES)
+        ]
+
+    @cached_property
+    def rk_step_along(self) -> ca.Function:
+        """One step of the state and its tangents, the last of which is that in a direction of the parameters.
+
+        (y, phase, increments, h, p, t, d) -> y of shape (2 n, 2 + nz)
+        """
+        t, y, p = ca.SX.sym("t"), ca.SX.sym("y", 2 * self.n, 2 + self.nz), ca.SX.sym("p", self.n_params)
+        phase, increments, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
+        d = ca.SX.sym("d", self.n_params)
+        stages = [
+            (one, t + node * h) for one, node in zip(self._phases(phase, increments), NODES, strict=True)
+        ]
+        end = runge_kutta.rk_step(lambda s, x: self._rate_along(s[0], s[1], x, p, d), stages, y, h)
+        inputs = {"y": y, "phase": phase, "turns": increments, "h": h, "p": p, "t": t, "d": d}
+        return ca.Function("step_along", [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
 
     @cached_property
     def plain_rk_step(self) -> ca.Function:
@@ -120,6 +154,14 @@ class StepMap:
         y = ca.vertcat(out["q"], out["v"])
         outputs = [ca.densify(y), ca.densify(ca.jacobian(y, z))]
         return ca.Function("start", [z, p], outputs, ["z", "p"], ["y", "dy_dz"])
+
+    @cached_property
+    def start_along(self) -> ca.Function:
+        """(z, p, d) -> the state with its tangents at a section point, shape (2 n, 2 + nz)."""
+        z, p, d = ca.SX.sym("z", self.nz), ca.SX.sym("p", self.n_params), ca.SX.sym("d", self.n_params)
+        y, derivative = self.start(z, p)
+        whole = ca.densify(ca.horzcat(y, derivative, ca.jtimes(y, p, d)))
+        return ca.Function("start_along", [z, p, d], [whole], ["z", "p", "d"], ["y"])
 
     def _landing_expr(self, y: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Section point after the impact, and the touchdown condition before it."""
@@ -162,6 +204,20 @@ class StepMap:
         return ca.Function(
             "landing_with_derivative", [y, z, period, p], outputs, ["y", "z", "T", "p"], ["J", "R"]
         )
+
+    @cached_property
+    def landing_along(self) -> ca.Function:
+        """(y with tangents, z, T, p, d) -> (dR/d(z, T), dR/dp d, R), the last tangent being that along d."""
+        p, d = ca.SX.sym("p", self.n_params), ca.SX.sym("d", self.n_params)
+        y, z, period = ca.SX.sym("y", 2 * self.n, 2 + self.nz), ca.SX.sym("z", self.nz), ca.SX.sym("T")
+        derivative, residual = self.landing_with_derivative(y[:, :-1], z, period, p)
+        state = ca.SX.sym("state", 2 * self.n)
+        image = ca.vertcat(*self._landing_expr(state, p))
+        moved = ca.jtimes(image, ca.vertcat(state, p), ca.vertcat(y[:, -1], d))
+        moved = ca.substitute(moved, state, y[:, 0])
+        outputs = list(ca.cse([derivative, ca.densify(moved), residual]))
+        names = ["J", "R_d", "R"]
+        return ca.Function("landing_along", [y, z, period, p, d], outputs, ["y", "z", "T", "p", "d"], names)
 
     # -- pieces of which a step of any number of RK steps is chained -----------------------------------------
 
@@ -208,14 +264,18 @@ class StepMap:
     def _block(self, rk_step: ca.Function) -> ca.Function:
         """`BLOCK` RK steps as one function, so that the C of a long chain stays short.
 
-        (y, t, increments, h, p) -> y
+        (y, t, increments, h, p) -> y, and of steps along a direction with d as well
         """
         y0, p = ca.MX.sym("y", *rk_step.size_in("y")), ca.MX.sym("p", self.n_params)
         t, increments, h = ca.MX.sym("t"), ca.MX.sym("turns", 2, STAGES), ca.MX.sym("h")
+        inputs = {"y": y0, "t": t, "turns": increments, "h": h, "p": p}
+        along = "d" in rk_step.name_in()
+        if along:
+            inputs["d"] = ca.MX.sym("d", self.n_params)
         y = y0
         for i in range(BLOCK):
-            y = rk_step(y, self.phase(t + i * h, p), increments, h, p)
-        inputs = {"y": y0, "t": t, "turns": increments, "h": h, "p": p}
+            now = t + i * h
+            y = rk_step(y, self.phase(now, p), increments, h, p, *((now, inputs["d"]) if along else ()))
         return ca.Function(f"{rk_step.name()}s", [*inputs.values()], [y], [*inputs], ["y_end"])
 
     @cached_property
@@ -226,12 +286,18 @@ class StepMap:
     def _variational_block(self) -> ca.Function:
         return self._block(self.variational_rk_step)
 
-    def _flow(self, block: ca.Function, y: ca.MX, period: ca.MX, p: ca.MX, n_rk: int) -> ca.MX:
+    @cached_property
+    def _block_along(self) -> ca.Function:
+        return self._block(self.rk_step_along)
+
+    def _flow(
+        self, block: ca.Function, y: ca.MX, period: ca.MX, p: ca.MX, n_rk: int, *direction: ca.MX
+    ) -> ca.MX:
         """The state after `period`; `n_rk` is a multiple of `BLOCK`."""
         h = period / n_rk
         increments = self.phase_increments(h, p)
         for i in range(0, n_rk, BLOCK):
-            y = block(y, (i / n_rk) * period, increments, h, p)
+            y = block(y, (i / n_rk) * period, increments, h, p, *direction)
         return y
 
     def residual(self, n_rk: int) -> ca.Function:
@@ -251,6 +317,15 @@ class StepMap:
             return list(self.landing_with_derivative(y, z, period, p))
 
         return self._of_whole_step(f"jacobian_{n_rk}", outputs, ["J", "R"])
+
+    def jacobian_along(self, n_rk: int) -> ca.Function:
+        """(u, p, d) -> (dR/du, dR/dp d, R), for a direction d of the parameters."""
+        u, p, d = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params), ca.MX.sym("d", self.n_params)
+        z, period = u[: self.nz], u[self.nz]
+        y = self._flow(self._block_along, self.start_along(z, p, d), period, p, n_rk, d)
+        outputs, names = self.landing_along(y, z, period, p, d), ["J", "R_d", "R"]
+        name = f"{self.model.name}_jacobian_along_{n_rk}"
+        return ca.Function(name, [u, p, d], list(outputs), ["u", "p", "d"], names)
 
     def _of_whole_step(
         self, name: str, outputs: Callable[[ca.MX, ca.MX, ca.MX], list[ca.MX]], names: list[str]

@@ -10,6 +10,7 @@ ERRORS = "tests/solver/cycles/test_errors.py"
 SOLVER = "tests/solver/cycles/test_solver.py"
 STATUS = f"{SOLVER}::test_guess_leads_to_its_status"
 OUTCOMES = "tests/solver/walks/test_outcomes.py"
+ALONG = "tests/solver/kernels/test_step_map.py::test_derivative_in_the_parameters_is_that_of_the_residual"
 
 KERNELS = (
     Mutation(
@@ -18,6 +19,34 @@ KERNELS = (
         "derivative[: self.nz, : self.nz] -= 0 * ca.DM.eye(self.nz)",
         "Newton's method has the derivative of the step map for that of the closing error",
         ("tests/solver/kernels/test_step_map.py::test_jacobian_agrees_with_complex_steps",),
+    ),
+    Mutation(
+        "solver/kernels/step_map.py",
+        "rate[:, -1] + given)",
+        "rate[:, -1])",
+        "the derivative in the parameters is that of the impact alone",
+        (ALONG,),
+    ),
+    Mutation(
+        "solver/kernels/step_map.py",
+        "ca.horzcat(y, derivative, ca.jtimes(y, p, d))",
+        "ca.horzcat(y, derivative, 0 * ca.jtimes(y, p, d))",
+        "the state just after touchdown does not depend on the parameters",
+        (ALONG,),
+    ),
+    Mutation(
+        "solver/kernels/step_map.py",
+        "(one, t + node * h) for one",
+        "(one, t) for one",
+        "the phase of a clock moves as at the beginning of each RK step",
+        (ALONG,),
+    ),
+    Mutation(
+        "solver/kernels/phase.py",
+        "ca.vertcat(-phase[1], phase[0])",
+        "ca.vertcat(phase[1], phase[0])",
+        "the phase of a clock moves the wrong way with its frequency",
+        (ALONG,),
     ),
     Mutation(
         "solver/kernels/phase.py",
@@ -329,5 +358,7 @@ CYCLES = (
         ("tests/stridemap/test_units.py::test_round_trip",),
     ),
 )
+
+ALONG = "tests/solver/kernels/test_step_map.py::test_derivative_in_the_parameters_is_that_of_the_residual"
 
 MUTATIONS = (*KERNELS, *CYCLES)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from stridemap.solver.backends.base import Directional, Linearised
+from stridemap.solver.backends.base import Directional, Linearised, LinearisedAlong
 from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.cycles.chain import Chain
@@ -79,6 +79,11 @@ class MapKernels:
 
     def jacobian(self, n_rk, u, params):
         return Linearised(self._each(1, n_rk, u, params)[:, :, : u.shape[1]], self.residual(n_rk, u, params))
+
+    def jacobian_along(self, n_rk, u, params, d):
+        along = np.einsum("nij,nj->ni", self._each(1, n_rk, u, params)[:, :, u.shape[1] :], d)
+        jacobian, residual = self.jacobian(n_rk, u, params)
+        return LinearisedAlong(jacobian, along, residual)
 
     def directional(self, n_rk, u, params, a, b):
         first, second = self._each(1, n_rk, u, params), self._each(2, n_rk, u, params)

@@ -61,6 +61,10 @@ def test_against_an_imaginary_step(name):
         in_u = a[i] * (np.arange(len(x)) < nu - 1)
         mixed = kernels.directional(N_RK, u[i : i + 1], p[i : i + 1], in_u[None], b[i : i + 1]).mixed[0]
         assert_close(mixed, second.derivative(x, b[i])[0] @ in_u[:nu])
+    in_p = np.where(np.arange(a.shape[1]) < nu, 0.0, a)
+    along = kernels.jacobian_along(N_RK, u, p, a[:, nu:]).along
+    for i in range(len(u)):
+        assert_close(along[i], first.derivative(np.concatenate([u[i], p[i]]), in_p[i])[0].ravel())
 
 
 @pytest.mark.parametrize("name", sorted(available()))

@@ -114,8 +114,13 @@ def test_lanes_agree_with_one_point_at_a_time(name):
     model = load(name)
     u, params = cases(model, 120)
     one, many = ScalarC().kernels(model), Lanes().kernels(model)
-    for kernel in (catalogue.residual(24), catalogue.jacobian(24), catalogue.trace(48)):
-        for a, b in zip(one.call(kernel, u, params), many.call(kernel, u, params), strict=True):
+    for kernel, *more in (
+        (catalogue.residual(24),),
+        (catalogue.jacobian(24),),
+        (catalogue.jacobian_along(24), np.random.default_rng(2).normal(size=params.shape)),
+        (catalogue.trace(48),),
+    ):
+        for a, b in zip(one.call(kernel, u, params, *more), many.call(kernel, u, params, *more), strict=True):
             scale = 1 + np.abs(np.nan_to_num(a)).max(axis=tuple(range(1, a.ndim)), keepdims=True)
             np.testing.assert_allclose((b / scale)[::2], (a / scale)[::2], rtol=0, atol=2e-14)
     near, rows = u[::2], params[::2]
@@ -138,6 +143,12 @@ def test_a_point_does_not_depend_on_those_beside_it(name):
             for chosen in (np.arange(size), rng.choice(64, size), rng.permutation(64)[:size]):
                 alone = kernels.call(kernel, u[chosen], params[chosen])
                 assert_same_bits(alone, [out[chosen] for out in together])
+    directions = rng.normal(size=params.shape)
+    together = kernels.jacobian_along(24, u, params, directions)
+    for size in range(1, 18):
+        chosen = rng.permutation(64)[:size]
+        alone = kernels.jacobian_along(24, u[chosen], params[chosen], directions[chosen])
+        assert_same_bits(alone, [out[chosen] for out in together])
     together = kernels.quick_search(12, u, params)
     for size in range(1, 34):
         chosen = rng.permutation(64)[:size]

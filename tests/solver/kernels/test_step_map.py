@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 
 from stridemap.solver.kernels.dormand_prince import ORDER
 from stridemap.solver.kernels.step_map import StepMap
-from stridemap.solver.model.loading import load
+from stridemap.solver.model.loading import available, load
 from stridemap.solver.walks.simulator import swing, walk
 from tests.oracles.reference import (
     REFERENCE,
@@ -139,6 +139,26 @@ def test_jacobian_agrees_with_complex_steps(entry, scale):
     np.testing.assert_allclose(jacobian, expected, rtol=1e-9, atol=1e-10 * np.abs(expected).max())
     # Not bit for bit: with the tangents in the same graph, common subexpressions are others.
     np.testing.assert_allclose(residual.ravel(), call(StepMap(model).residual(48), u, p), rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", sorted(available()))
+def test_derivative_in_the_parameters_is_that_of_the_residual(name):
+    """CasADi differentiates the whole residual, in all parameters at once."""
+    model = load(name)
+    rng = np.random.default_rng(3)
+    p = model.point({})
+    u = np.append(0.1 * rng.normal(size=len(model.section)) * model.spec.scales, 1.3)
+    d = rng.normal(size=len(p))
+    step_map = StepMap(model)
+    residual = step_map.residual(24)
+    at, params = ca.MX.sym("u", len(u)), ca.MX.sym("p", len(p))
+    exact = ca.Function("dR_dp", [at, params], [ca.jacobian(residual(at, params), params)])
+    expected = np.array(exact(u, p)) @ d
+    jacobian, along, closing = call(step_map.jacobian_along(24), u, p, d)
+    assert np.abs(expected).max() > 1e-3
+    np.testing.assert_allclose(along.ravel(), expected, rtol=0, atol=1e-12 * np.abs(expected).max())
+    for own, other in zip((jacobian, closing), call(step_map.jacobian(24), u, p), strict=True):
+        np.testing.assert_allclose(own, other, rtol=0, atol=1e-13 * np.abs(other).max())
 
 
 # -- as C -----------------------------------------------------------------------------------------------
