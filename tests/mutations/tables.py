@@ -54,6 +54,13 @@ SWEEPS = (
     ),
     Mutation(
         "sweeps/tiles.py",
+        "return self._entered(solutions.take(near & ~beyond))",
+        "return self._entered(solutions.take(near))",
+        "what lies just beyond a fold joins branches before it is followed",
+        (f"{TILES}::test_a_fold_just_beyond_a_cell_does_not_hide_its_two_cycles",),
+    ),
+    Mutation(
+        "sweeps/tiles.py",
         "        self._lost.append(guesses.take(~near & ~beyond))\n",
         "",
         "what is far from where a branch seems to pass is thrown away",

@@ -332,7 +332,10 @@ def test_a_fold_just_beyond_a_cell_does_not_hide_its_two_cycles(monkeypatch):
     start = line.cycles(43.0).u[0]
     for beyond, found in ((0.0, 1), (tiles.BEYOND, 3)):
         monkeypatch.setattr(tiles, "BEYOND", beyond)
-        rows = line.result([(k.index(43.0), start)]).orbits
+        result = line.result([(k.index(43.0), start)])
+        # Of which branch they are is known when they were followed.
+        assert (result.seen.branch != NONE).all() and (result.joins != NONE).all()
+        rows = result.orbits
         here = rows["cell"] == k.index(42.5)
         assert np.count_nonzero(here) == found
     (stable,) = rows["period"][here][rows["stable"][here]]
