@@ -299,7 +299,7 @@ class _Lines:
         options = self.options
         came_along = np.zeros(len(x), dtype=bool)
         heads = self._beginning(np.arange(len(x)), x, tangent, ahead=True)
-        passed = [heads]
+        passed = [heads.points]
         waiting = np.full(len(self.first), back)  # lines whose way back has not begun
         while True:
             heads = heads.take((heads.ds >= options.ds_min) & (heads.steps < options.max_steps))
@@ -307,19 +307,17 @@ class _Lines:
             begins[self.line[heads.branch[heads.ahead]]] = False
             if begins.any():
                 at = np.flatnonzero(begins[self.line] & ~came_along)
-                passed.append(self._beginning(at, x[at], -tangent[at], ahead=False))
-                heads, waiting = Heads.concatenate([heads, passed[-1]]), waiting & ~begins
+                begun = self._beginning(at, x[at], -tangent[at], ahead=False)
+                passed.append(begun.points)
+                heads, waiting = Heads.concatenate([heads, begun]), waiting & ~begins
                 continue
             if not len(heads):
                 break
             heads = self._promising(heads)
             heads, good, behind = self._advanced(heads, stops, tangent)
-            passed.append(heads.take(good))
+            passed.append(heads.take(good).points)
             came_along[behind] = True
-        branch, ahead, points, tangents = (
-            np.concatenate([getattr(part, name) for part in passed])
-            for name in ("branch", "ahead", "x", "tangent")
-        )
+        branch, ahead, points, tangents = (np.concatenate(parts) for parts in zip(*passed, strict=True))
         order = np.lexsort((ahead, branch))
         return Followed(self.scale, branch[order], ahead[order], points[order], tangents[order])
 

@@ -61,3 +61,8 @@ class Heads:
     def take(self, index: NDArray[Any]) -> "Heads":
         """Some of them."""
         return Heads(*(getattr(self, column.name)[index] for column in fields(self)))
+
+    @property
+    def points(self) -> tuple[Index, Mask, Array, Array]:
+        """What is kept of where they are: branches, ways, points and tangents."""
+        return self.branch, self.ahead, self.x, self.tangent

@@ -8,8 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Backend, Kernels
-from stridemap.solver.backends.base import Searched as Ends
+from stridemap.solver.backends.base import Backend, Kernels, Searched
 from stridemap.solver.backends.selection import load_kernels
 from stridemap.solver.cycles.acceptance import Candidates, depends_on_resolution
 from stridemap.solver.cycles.batches import batches
@@ -38,7 +37,7 @@ SAME_END = 0.02
 """Distance, in terms of the scales, of two ends of a search that do not close, if they are taken for one."""
 
 
-class Searched(NamedTuple):
+class Ended(NamedTuple):
     """How Newton's method from rough guesses ended.
 
     Section points with periods, shape (n, nz + 1); whether it closed in a possible step, in one that is not
@@ -88,7 +87,7 @@ class Solver:
         out = self._ended(partial(self.kernels.quick_search, steps=steps), guesses, params)
         return out.u, out.closed
 
-    def searched(self, guesses: Array, params: Array) -> Searched:
+    def searched(self, guesses: Array, params: Array) -> Ended:
         """Newton's method from rough guesses.
 
         Where it nearly closes at a resolution that does not resolve the motion, the end counts as closed: to
@@ -103,7 +102,7 @@ class Solver:
         """
         return self._ended(self.kernels.search, guesses, params)
 
-    def _ended(self, search: Callable[[int, Array, Array], Ends], guesses: Array, params: Array) -> Searched:
+    def _ended(self, search: Callable[[int, Array, Array], Searched], guesses: Array, params: Array) -> Ended:
         """How searches with one of the backend's methods end."""
         u, size = np.full(guesses.shape, np.nan), np.full(len(guesses), np.nan)
         promising = np.zeros(len(guesses), dtype=bool)
@@ -123,7 +122,7 @@ class Solver:
         u = self.model.wrapped(u)
         possible = np.zeros(len(u), dtype=bool)
         possible[closed] = self.can_be_a_step(u[closed], params[closed])
-        return Searched(u, closed & possible, closed & ~possible, ~closed)
+        return Ended(u, closed & possible, closed & ~possible, ~closed)
 
     def _one_of_each(self, promising: Mask, u: Array, params: Array) -> Mask:
         """Those that are not near others of the same parameters, shape (n,)."""
