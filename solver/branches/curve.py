@@ -150,11 +150,10 @@ class Curve(ZeroCurve):
         return self.equations.linearised(x, n_rk)
 
     def nearly_linearised(self, x: Array, n_rk: int, near: Array) -> tuple[Array, Array]:
-        """As `linearised`, with the parameter's column of the derivative at a point near x."""
+        """The residual at x, with the derivative at a point near x."""
         size = self.equations.n_unknowns
         params = self.equations.point(x[size:])
-        jacobian, residual = self.chain.jacobian(n_rk, x[None, :size], params[None])
-        return np.column_stack([jacobian[0], near[:, size:]]), residual[0]
+        return near, self.chain.residual(n_rk, x[None, :size], params[None])[0]
 
     def second(self, x: Array, v: Array, n_rk: int) -> Array:
         """Derivative of ``DR[v]`` with respect to x, shape (N, N + 1): see `CycleEquations.second`."""
