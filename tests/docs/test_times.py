@@ -26,8 +26,6 @@ ORDINAL = re.compile(r"(?<!takes )(?<!take )(?<!after )(?<!within )\ba second (?
 NOT_MEASURED = {
     ("CONTRIBUTING.md", "a minute"): "set-up, which depends on the network, and the tests of `make quick`",
     ("CONTRIBUTING.md", "ten minutes"): "the limit that the command names",
-    ("docs/speed.md", "93 s"): "of a program that is not there any more",
-    ("docs/speed.md", "69 s"): "beside that one; the record has it from another hour",
     ("docs/declare.md", "an hour"): "the limit after which a derivation is ended",
     ("docs/declare.md", "in seconds"): "of terms of a length that is not said",
     ("docs/declare.md", "0.732414844429 s"): "the period of a gait",
