@@ -159,7 +159,7 @@ class Kernels(ABC):
         return self.search(n_rk, u, p)
 
     def make_ready_for_sweeps(self) -> None:
-        """Compile now what is otherwise compiled when it is first asked for.
+        """Compile now what sweeps need and is otherwise compiled when it is first asked for.
 
         Raises
         ------
