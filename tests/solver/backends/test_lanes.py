@@ -61,20 +61,33 @@ extern "C" void sines(long long n, const double* x, double* s, double* c)
 """
 
 
-@pytest.fixture(scope="module", params=INSTRUCTION_SETS, ids=lambda flags: flags[0] if flags else "baseline")
-def sines(request):
-    header = Path(lanes.__file__).with_name("lanes.h").read_text("utf-8")
-    flags = (*lanes.FLAGS, *request.param)
-    library = ctypes.CDLL(str(compile_shared("sines.cpp", header + SINES, find_compiler(), flags)))
+def compiled_sines(instructions, before=""):
+    """Sines and cosines of doubles by `lanes.h`, after some lines."""
+    text = before + Path(lanes.__file__).with_name("lanes.h").read_text("utf-8") + SINES
+    flags = (*lanes.FLAGS, *instructions)
+    library = ctypes.CDLL(str(compile_shared("sines.cpp", text, find_compiler(), flags)))
 
     def call(x):
-        padded = np.concatenate([x, np.zeros(-len(x) % 8)])
+        padded = np.concatenate([x, np.zeros(-len(x) % 16)])
         s, c = np.empty(len(padded)), np.empty(len(padded))
         pointers = [ctypes.c_void_p(a.ctypes.data) for a in (padded, s, c)]
         library.sines(ctypes.c_longlong(len(padded)), *pointers)
         return s[: len(x)], c[: len(x)]
 
     return call
+
+
+EACH_SET = {"params": INSTRUCTION_SETS, "ids": lambda flags: flags[0] if flags else "baseline"}
+
+
+@pytest.fixture(scope="module", **EACH_SET)
+def sines(request):
+    return compiled_sines(request.param)
+
+
+@pytest.fixture(scope="module", **EACH_SET)
+def single_sines(request):
+    return compiled_sines(request.param, "#define SINGLE_PRECISION\n")
 
 
 def ulps(found, exact):
@@ -96,6 +109,25 @@ def test_sines_are_off_by_less_than_two_units_in_the_last_place(sines, largest):
         assert max(ulps(f, e[0]) for f, e in zip(s, exact, strict=True) if e[0] and abs(e[0]) > 1e-290) < 2
         assert max(ulps(f, e[1]) for f, e in zip(c, exact, strict=True)) < 2
     assert np.array_equal(s[np.abs(x) < 1e-19], x[np.abs(x) < 1e-19])
+
+
+@pytest.mark.parametrize("largest", [0.8, 10.0, 1e3, 1e4])
+def test_sines_in_single_precision_are_off_by_its_rounding(single_sines, largest):
+    """By less than a unit in the last place of 1, which near a zero is many of theirs: a search bears that."""
+    x = np.random.default_rng(0).uniform(-largest, largest, 20_000)
+    multiples = np.round(np.linspace(-largest, largest, 401) / (np.pi / 2)) * (np.pi / 2)
+    x = np.concatenate([x, multiples]).astype(np.float32).astype(np.float64)
+    x = x[np.abs(x) <= largest]
+    for found, exact in zip(single_sines(x), (np.sin(x), np.cos(x)), strict=True):
+        assert np.abs(found - exact).max() < 2**-23
+
+
+def test_in_single_precision_sines_of_no_number_and_from_afar_are_no_number(single_sines):
+    x = np.array([np.nan, np.inf, -np.inf, 1.1e4, -1e300, 0.0, -0.0, 0.5])
+    s, c = single_sines(x)
+    assert np.isnan(s[:5]).all() and np.isnan(c[:5]).all()
+    assert s[5:7].tolist() == [0.0, 0.0] and c[5:7].tolist() == [1.0, 1.0]
+    assert abs(s[7] - np.sin(0.5)) < 2**-24 and abs(c[7] - np.cos(0.5)) < 2**-24
 
 
 def test_sines_of_no_number_and_beyond_any_walker_are_no_number(sines):
