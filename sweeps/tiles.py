@@ -99,7 +99,8 @@ class _Search:
         self.solver = Solver.for_model(task.model, task.backend, task.acceptance)
         self.scale = Scales.of(task.model).unknowns
         self.width = len(self.scale)
-        self.solver.kernels.make_ready_for_sweeps()  # if that raises, it is not the fault of some cells
+        # If a compiler fails, that is not the fault of some cells.
+        self.solver.kernels.prepare_search_and_following()
         self.lines = Lines.of(task.grid, task.cells)
         self.failures: dict[int, str] = {}
         self.discarded: Counter[tuple[int, str]] = Counter()

@@ -158,8 +158,8 @@ class Kernels(ABC):
         """
         return self.search(n_rk, u, p)
 
-    def make_ready_for_sweeps(self) -> None:
-        """Compile now what sweeps need and is otherwise compiled when it is first asked for.
+    def prepare_search_and_following(self) -> None:
+        """Compile now what quick searches and following take, and not when they are first asked for.
 
         Raises
         ------

@@ -232,8 +232,8 @@ class LaneKernels(Kernels):
         """Derivatives in directions of the parameters too; compiled when they are first asked for."""
         return self._compiled_now("along", along_source(self.model))
 
-    def make_ready_for_sweeps(self) -> None:
-        """Compile what quick searches and following need: see `Kernels.make_ready_for_sweeps`."""
+    def prepare_search_and_following(self) -> None:
+        """Compile what these take: see `Kernels.prepare_search_and_following`."""
         _ = self._search, self._along
 
     def quick_search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:

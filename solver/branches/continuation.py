@@ -57,10 +57,10 @@ PATIENCE = 2.0
 SHORT = 0.02
 """Of an arclength step: a correction that is so small is the last, if it is below the tolerance."""
 
-ASIDE = 0.004
-"""How far an arclength step may go aside, in terms of the scale. Up to third order, the way along an arc
-points where the mean of the tangents at its ends does; onto a curve that runs beside this one it goes aside
-by the distance of the two. Without this, one branch in fifteen strayed somewhere on its line."""
+SIDEWAYS, TELLING = 0.004, 0.02
+"""How far an arclength step may lead sideways, in terms of the scale, and how long it must be to tell: points
+are not exact. But for terms of third order the way along an arc agrees with the mean of the tangents at its
+ends; onto a curve that runs beside this one it leads sideways by the distance of the two."""
 
 LOOK = 8
 """Arclength steps after which a look is taken whether cycles may be gaits."""
@@ -406,13 +406,13 @@ class _Lines:
         if len(sharp):
             new[sharp] = self._refined(at[sharp], y, across, tangent, n_rk, sharp)
         with np.errstate(invalid="ignore", divide="ignore"):
-            good &= self._aside(x, y, tangent, new) < ASIDE
+            good &= (self._sideways(x, y, tangent, new) < SIDEWAYS) | (length < TELLING)
             wanted = np.arccos(options.easy_tangent_cosine) / np.arccos(np.minimum(cosine, 1.0))
         factor = np.clip(wanted, options.step_shrink, np.where(easy, options.step_growth, 1.0))
         return y, new, good, np.where(good, factor, options.step_shrink)
 
-    def _aside(self, x: Array, y: Array, tangent: Array, new: Array) -> Array:
-        """How far the ways from x to y lead away from the mean of their tangents."""
+    def _sideways(self, x: Array, y: Array, tangent: Array, new: Array) -> Array:
+        """How far from y one comes from x in the direction of the mean of their tangents."""
         way, mean = y - x, tangent + new
         return self._norm(way - (self._norm(way) / self._norm(mean))[:, None] * mean)
 

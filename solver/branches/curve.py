@@ -33,7 +33,7 @@ class ZeroCurve(ABC):
         """Derivative of F, shape (M, M + 1), and F, shape (M,), with `n_rk` RK steps per walking step."""
 
     def nearly_linearised(self, x: Array, n_rk: int, near: Array) -> tuple[Array, Array]:
-        """As `linearised`, but what is costly of the derivative may be taken from that at a point near x."""
+        """As `linearised`, but the derivative may be that at a point near x."""
         return self.linearised(x, n_rk)
 
     @abstractmethod

@@ -268,16 +268,14 @@ def _refined(
             if here is None:
                 return None
             f = yield Trial(curve, here, name)
-            noise = last is not None and abs(last[1]) < 5 * abs(f) < 5 * IN_NOISE
-            if noise and abs(found.f) < abs(f):
-                break
+            noise = last is not None and abs(f) > 0.2 * abs(last[1])
             if last is not None and abs(ds - last[0]) > NOISE * length and f != last[1]:
                 slope = (f - last[1]) / (ds - last[0])
             x, last, found = here.x, (ds, f), _Zero(here, f, slope)
             left = abs(f / slope)
             if abs(f) < ROUNDING or (abs(f) < LOCATED and left < SETTLED_FINE):
                 break
-            if noise:
+            if noise and abs(f) < LOCATED and left < UNCHANGED:
                 break
             x = here.x - f / slope * one.tangent
         else:
@@ -316,12 +314,9 @@ SETTLED, SETTLED_FINE, ROUGH = 1e-14, 1e-13, 1e-7
 """Arclength by which an end need not be moved any more: by bisection, by secants at a finer resolution, and
 before there are finer ones."""
 
-IN_NOISE = 1e-12
-"""Modulus of a condition that may be no more than rounding, where another secant hardly lowers it."""
-
 UNCHANGED = 3e-11
 """Change of an end at twice the resolution that needs no finer one, in terms of the scale: the next would be
-a hundredth of it, or less."""
+a hundredth of it, or less. Where rounding keeps the condition from becoming smaller, so near will do."""
 
 SECANTS = 8
 """Secants at one resolution."""

@@ -77,7 +77,7 @@ class Chain:
         return LinearisedAlong(whole.jacobian, along.reshape(len(u), -1), whole.residual)
 
     def _whole(self, steps: Array, jacobian: Array, closing: Array) -> Linearised:
-        """Of whole chains, from those of their steps."""
+        """Residuals and derivatives of whole chains from those of their steps."""
         n, width, nz = self.n_steps, self.width, self.width - 1
         m = len(steps) // n
         blocks = jacobian.reshape(-1, n, width, width)

@@ -1,14 +1,14 @@
 """Which functions the solver runs, what each is called, and their C.
 
-`search(n)`        Newton's method from a rough guess on n RK steps, with the residual there
-`limit_cycle(n)`   Newton's method from a good guess, with Jacobian and residual there
-`residual(n)`      the residual alone
-`jacobian(n)`      the residual with its Jacobian
-`jacobian_along(n)`  the same with the derivative in a direction of the parameters
-`trace(n)`         the states and observables at the n + 1 nodes of a step
-`ADVANCE`          a part of an RK step, observed
+`search(n)`           Newton's method from a rough guess on n RK steps, with the residual there
+`limit_cycle(n)`      Newton's method from a good guess, with Jacobian and residual there
+`residual(n)`         the residual alone
+`jacobian(n)`         the residual with its Jacobian
+`jacobian_along(n)`   the same with the derivative in a direction of the parameters
+`trace(n)`            the states and observables at the n + 1 nodes of a step
+`ADVANCE`             a part of an RK step, observed
 `BEGIN`, `SWING`, `END`, `OBSERVED_SWING`
-                   pieces of a step, of which any number of RK steps can be chained (`backends.chained`)
+                      pieces of a step, of which any number of RK steps can be chained (`backends.chained`)
 
 In C every name begins with the model's, so that kernels of several models link into one program. The same
 CasADi functions run in CasADi's virtual machine where there is no C compiler.

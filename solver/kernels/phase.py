@@ -113,7 +113,7 @@ class PlainTime:
 
     @staticmethod
     def along(phase: ca.SX, t: ca.SX, p: ca.SX, d: ca.SX) -> ca.SX:
-        """Derivative of the time in a direction of the parameters: there is none."""
+        """Derivative of the time in a direction of the parameters: it is zero."""
         return ca.SX.zeros(2)
 
     def call(self, name: str, phase: ca.SX, **values: ca.SX) -> dict[str, ca.SX]:

@@ -264,7 +264,7 @@ class StepMap:
     def _block(self, rk_step: ca.Function) -> ca.Function:
         """`BLOCK` RK steps as one function, so that the C of a long chain stays short.
 
-        (y, t, increments, h, p) -> y, and of steps along a direction with d as well
+        (y, t, increments, h, p) -> y; steps with a direction of the parameters also take d
         """
         y0, p = ca.MX.sym("y", *rk_step.size_in("y")), ca.MX.sym("p", self.n_params)
         t, increments, h = ca.MX.sym("t"), ca.MX.sym("turns", 2, STAGES), ca.MX.sym("h")

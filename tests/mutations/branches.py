@@ -332,8 +332,8 @@ FOLLOWED = (
     ),
     Mutation(
         "solver/branches/continuation.py",
-        "good &= self._aside(x, y, tangent, new) < ASIDE",
-        "good &= self._aside(x, y, tangent, new) < np.inf",
+        "(self._sideways(x, y, tangent, new) < SIDEWAYS)",
+        "(self._sideways(x, y, tangent, new) < np.inf)",
         "long steps stray to other curves",
         (f"{CONTINUATION}::test_steps_as_long_as_in_sweeps_do_not_stray_to_a_curve_beside",),
     ),

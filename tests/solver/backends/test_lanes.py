@@ -113,7 +113,7 @@ def test_sines_are_off_by_less_than_two_units_in_the_last_place(sines, largest):
 
 @pytest.mark.parametrize("largest", [0.8, 10.0, 1e3, 1e4])
 def test_sines_in_single_precision_are_off_by_its_rounding(single_sines, largest):
-    """By less than a unit in the last place of 1, which near a zero is many of theirs: a search bears that."""
+    """By less than a unit in the last place of 1. Near a zero that is many of theirs."""
     x = np.random.default_rng(0).uniform(-largest, largest, 20_000)
     multiples = np.round(np.linspace(-largest, largest, 401) / (np.pi / 2)) * (np.pi / 2)
     x = np.concatenate([x, multiples]).astype(np.float32).astype(np.float64)
@@ -208,6 +208,13 @@ def test_a_search_in_single_precision_ends_where_one_in_double_precision_does(na
     np.testing.assert_array_equal(found.residual, residual)
     # It is of single precision: what it leaves open is more than double precision does.
     assert np.median(size[near]) > 1e-9
+
+
+def test_what_is_prepared_is_compiled():
+    kernels = Lanes().kernels(load("simplest_walker"))
+    assert not {"_search", "_along"} & vars(kernels).keys()
+    kernels.prepare_search_and_following()
+    assert {"_search", "_along"} <= vars(kernels).keys()
 
 
 def test_a_search_in_single_precision_is_finished_in_double_precision_where_it_came_near(monkeypatch):

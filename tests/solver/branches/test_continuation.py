@@ -208,12 +208,12 @@ def test_a_branch_without_gaits_ends_when_patience_does(monkeypatch):
     ("params", "u"),
     [
         (
-            {"k": 18.0, "alpha": 0.125, "omega": 2.0},
-            [0.06745765, -0.23351897, -0.00212205, -0.02172563, -1.0938, 1.95936096],
+            {"k": 27.0, "alpha": 0.175, "omega": 3.5},
+            [0.0882372883, -0.1821493378, -0.00282901, 2.20928e-05, 0.0047700203, 1.0802338664],
         ),
         (
-            {"k": 3.0, "alpha": 0.725, "omega": 3.5},
-            [0.0759557346, -0.2207840623, -0.002542632, -0.00223286, -0.0956746757, 1.12538338],
+            {"k": 3.0, "alpha": 0.2, "omega": 2.0},
+            [0.091476799, -0.1299768153, -0.0021692324, 0.000966037, 0.0517305023, 1.7089565070],
         ),
     ],
 )
@@ -231,7 +231,7 @@ def test_steps_as_long_as_in_sweeps_do_not_stray_to_a_curve_beside(params, u):
         assert (moved < 0.05).all()
         order = np.lexsort((solved[:, -1], passed.position))
         cycles.append(np.column_stack([passed.position, solved])[order])
-    assert len(cycles[0]) > 50
+    assert len(cycles[0]) > 15
     np.testing.assert_allclose(cycles[1], cycles[0], rtol=0, atol=1e-4)
 
 
@@ -293,7 +293,7 @@ def test_beyond_a_fold_a_branch_is_looked_for_on_both_sides_of_it():
 
 @pytest.mark.parametrize(("k", "low", "high"), [(22.7, 0.5, 60.0), (22.7, 22.5, 23.0), (8.2, 8.0, 8.5)])
 def test_the_derivative_along_a_line_is_exact(k, low, high):
-    """However short the line, as it is in two directions at once."""
+    """It is that of the kernel with two directions, however short the line."""
     model = load("wobbling")
     u, _ = cycles_at(model, k=k)
     start, target = (np.tile(model.point({"k": end}), (len(u), 1)) for end in (low, high))

@@ -55,6 +55,24 @@ def test_the_derivative_is_that_of_the_residual(two_steps):
     np.testing.assert_allclose(exact.jacobian[0], ((ahead - behind) / 2e-6).T, atol=1e-8)
 
 
+def test_the_derivative_in_parameters_is_that_of_the_residual():
+    """Of two steps, in two directions at once."""
+    chain = Chain(load_kernels(load("goswami_compass"), None), 2)
+    point = chain.kernels.model.point({})
+    rng = np.random.default_rng(4)
+    u = np.tile([*0.1 * rng.normal(size=chain.width - 1), 0.7], 2) + 0.01 * rng.normal(size=2 * chain.width)
+    d = rng.normal(size=(2, len(point)))
+    many, points = np.repeat(u[None], 2, axis=0), np.repeat(point[None], 2, axis=0)
+    exact = chain.jacobian_along(N_RK, many, points, d)
+    ahead, behind = (chain.residual(N_RK, many, points + sign * 1e-6 * d) for sign in (1, -1))
+    assert np.abs(exact.along).max() > 1e-2
+    np.testing.assert_allclose(exact.along, (ahead - behind) / 2e-6, atol=1e-7 * np.abs(exact.along).max())
+    whole = chain.jacobian(N_RK, many, points)
+    np.testing.assert_allclose(
+        exact.jacobian, whole.jacobian, rtol=0, atol=1e-12 * np.abs(whole.jacobian).max()
+    )
+
+
 def test_one_step_is_the_shortest_chain(simplest):
     point = simplest.model.point({})[None, :]
     _, orbits = find_all(Solver.for_model(simplest.model), point)

@@ -11,6 +11,7 @@ from stridemap.solver.kernels.dormand_prince import ORDER
 from stridemap.solver.kernels.step_map import StepMap
 from stridemap.solver.model.loading import available, load
 from stridemap.solver.walks.simulator import swing, walk
+from tests.oracles import walkers
 from tests.oracles.reference import (
     REFERENCE,
     reference_name,
@@ -141,10 +142,13 @@ def test_jacobian_agrees_with_complex_steps(entry, scale):
     np.testing.assert_allclose(residual.ravel(), call(StepMap(model).residual(48), u, p), rtol=0, atol=1e-14)
 
 
-@pytest.mark.parametrize("name", sorted(available()))
+@pytest.mark.parametrize("name", [*sorted(available()), "locked", "two_motors"])
 def test_derivative_in_the_parameters_is_that_of_the_residual(name):
-    """CasADi differentiates the whole residual, in all parameters at once."""
-    model = load(name)
+    """CasADi differentiates the whole residual, in all parameters at once.
+
+    With walkers whose state just after touchdown depends on parameters, and whose time is more than a phase.
+    """
+    model = load(name) if name in available() else walkers.derived(name)
     rng = np.random.default_rng(3)
     p = model.point({})
     u = np.append(0.1 * rng.normal(size=len(model.section)) * model.spec.scales, 1.3)
