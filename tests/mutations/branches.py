@@ -266,6 +266,13 @@ GAITS = (
     ),
     Mutation(
         "solver/branches/ends.py",
+        "if noise and abs(f) < LOCATED and left < UNCHANGED:",
+        "if noise and abs(f) < LOCATED and left < SETTLED:",
+        "an end that rounding blurs is searched for again at the finest resolution",
+        (f"{ENDS}::test_where_rounding_blurs_a_condition_secants_stop",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
         "gait = np.all(list(holds.values()), axis=0)",
         "gait = np.any(list(holds.values()), axis=0)",
         "a gait goes on while one of its conditions holds",

@@ -1,5 +1,7 @@
 """Where gaits end along a branch, against the measures and an event-driven integrator."""
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -125,6 +127,25 @@ def test_where_a_condition_jumps_secants_do_not_creep():
             value = 1.0 if share < 0.4 else 1e-5 * (0.6 - share)
             trial, count = search.send(value), count + 1
     assert count <= 15
+
+
+def test_where_rounding_blurs_a_condition_secants_stop():
+    """Next to it a zero is not searched for again at the finest resolution, from the whole bracket."""
+    (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
+    points = branch.points[:: len(branch.points) - 1]
+    begin, end = (point.x[-1] for point in points)
+    ((_, search),) = searches(
+        branch.curve, points, {GaitEnd.CONTACT: np.array([0.05, -0.05])}, ContinuationOptions()
+    )
+    blur = itertools.cycle([4e-13, -3e-13, 5e-13])
+    trial, count = next(search), 1
+    with pytest.raises(StopIteration) as stop:
+        while True:
+            share = (trial.point.x[-1] - begin) / (end - begin)
+            trial, count = search.send(0.1 * (0.5 - share) + next(blur)), count + 1
+    assert stop.value.value.residual < 1e-12
+    assert (stop.value.value.point.x[-1] - begin) / (end - begin) == pytest.approx(0.5, abs=1e-10)
+    assert count <= 20
 
 
 def test_a_gait_ends_where_the_foot_touches_down_early():
