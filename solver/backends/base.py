@@ -205,13 +205,17 @@ class Kernels(ABC):
     def jacobian_along(self, n_rk: int | Index, u: Array, p: Array, d: Array) -> LinearisedAlong:
         """Residuals with their derivatives with respect to u, and in directions `d` of the parameters.
 
-        There is a kernel for every resolution of searches and of limit cycles up to the last of `CYCLE_N_RK`.
-
         Parameters
         ----------
         n_rk : int or ndarray of int, shape (n,)
+            Of `SEARCH_N_RK` and `CYCLE_N_RK`.
         u : ndarray, shape (n, nz + 1)
         p, d : ndarray, shape (n, n_params)
+
+        Raises
+        ------
+        KeyError
+            When there is no kernel for a resolution.
         """
         each = n_rk if isinstance(n_rk, np.ndarray) else np.full(len(u), n_rk)
         jacobian, along, residual = self._each(catalogue.jacobian_along, each, u, p, d)

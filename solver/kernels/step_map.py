@@ -77,7 +77,7 @@ class StepMap:
             self.rate_at_phase(phase, state, p), ca.vertcat(lower, dv_dq @ upper + dv_dv @ lower)
         )
 
-    def _rate_along(self, phase: ca.SX, t: ca.SX, y: ca.SX, p: ca.SX, d: ca.SX) -> ca.SX:
+    def _rate_along(self, phase: ca.SX, y: ca.SX, p: ca.SX, t: ca.SX, d: ca.SX) -> ca.SX:
         """The same with one tangent more, that in a direction d of the parameters, shape (2 n, 2 + nz)."""
         rate = self._variational_rate(phase, y, p)
         given = self._rate_in_direction(phase, y[:, 0], p, self._clock.along(phase, t, p, d), d)
@@ -103,37 +103,25 @@ class StepMap:
         columns = [self.phase(node * h, p) for node in NODES]
         return ca.Function("turns", [h, p], [ca.cse(ca.horzcat(*columns))], ["h", "p"], ["turns"])
 
-    def rk_step(self, name: str, rate: Callable[[ca.SX, ca.SX, ca.SX], ca.SX], y: ca.SX) -> ca.Function:
-        """One RK step: (y, phase, increments, h, p) -> y, for a rate of (phase, y, p)."""
-        phase, increments, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
-        p = ca.SX.sym("p", self.n_params)
-        phases = self._phases(phase, increments)
-        end = runge_kutta.rk_step(lambda s, x: rate(s, x, p), phases, y, h)
-        inputs = {"y": y, "phase": phase, "turns": increments, "h": h, "p": p}
-        return ca.Function(name, [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
+    def rk_step(self, name: str, rate: Callable[..., ca.SX], y: ca.SX, *, along: bool = False) -> ca.Function:
+        """One RK step: (y, phase, increments, h, p) -> y, for a rate of (phase, y, p).
 
-    def _phases(self, phase: ca.SX, increments: ca.SX) -> list[ca.SX]:
-        """Phases of the stages of an RK step."""
-        return [
+        With `along` the step also takes the time t at its beginning and a direction d of the parameters, and
+        the rate the time of the stage and d.
+        """
+        phase, increments, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
+        p, t, d = ca.SX.sym("p", self.n_params), ca.SX.sym("t"), ca.SX.sym("d", self.n_params)
+        phases = [
             self._clock.advance_phase(phase, increments[:, i]) if node else phase
             for i, node in enumerate(NODES)
         ]
-
-    @cached_property
-    def rk_step_along(self) -> ca.Function:
-        """One step of the state and its tangents, the last of which is that in a direction of the parameters.
-
-        (y, phase, increments, h, p, t, d) -> y of shape (2 n, 2 + nz)
-        """
-        t, y, p = ca.SX.sym("t"), ca.SX.sym("y", 2 * self.n, 2 + self.nz), ca.SX.sym("p", self.n_params)
-        phase, increments, h = ca.SX.sym("phase", 2), ca.SX.sym("turns", 2, STAGES), ca.SX.sym("h")
-        d = ca.SX.sym("d", self.n_params)
         stages = [
-            (one, t + node * h) for one, node in zip(self._phases(phase, increments), NODES, strict=True)
+            (one, t + node * h, d) if along else (one,) for one, node in zip(phases, NODES, strict=True)
         ]
-        end = runge_kutta.rk_step(lambda s, x: self._rate_along(s[0], s[1], x, p, d), stages, y, h)
-        inputs = {"y": y, "phase": phase, "turns": increments, "h": h, "p": p, "t": t, "d": d}
-        return ca.Function("step_along", [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
+        end = runge_kutta.rk_step(lambda s, x: rate(s[0], x, p, *s[1:]), stages, y, h)
+        inputs = {"y": y, "phase": phase, "turns": increments, "h": h, "p": p}
+        inputs |= {"t": t, "d": d} if along else {}
+        return ca.Function(name, [*inputs.values()], [ca.cse(end)], [*inputs], ["y_end"])
 
     @cached_property
     def plain_rk_step(self) -> ca.Function:
@@ -145,6 +133,12 @@ class StepMap:
         """One step of the state and its tangents, y of shape (2 n, 1 + nz)."""
         y = ca.SX.sym("y", 2 * self.n, 1 + self.nz)
         return self.rk_step("variational_step", self._variational_rate, y)
+
+    @cached_property
+    def rk_step_along(self) -> ca.Function:
+        """The same with one tangent more, that in a direction of the parameters, y of shape (2 n, 2 + nz)."""
+        y = ca.SX.sym("y", 2 * self.n, 2 + self.nz)
+        return self.rk_step("step_along", self._rate_along, y, along=True)
 
     @cached_property
     def start(self) -> ca.Function:
@@ -320,21 +314,27 @@ class StepMap:
 
     def jacobian_along(self, n_rk: int) -> ca.Function:
         """(u, p, d) -> (dR/du, dR/dp d, R), for a direction d of the parameters."""
-        u, p, d = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params), ca.MX.sym("d", self.n_params)
-        z, period = u[: self.nz], u[self.nz]
-        y = self._flow(self._block_along, self.start_along(z, p, d), period, p, n_rk, d)
-        outputs, names = self.landing_along(y, z, period, p, d), ["J", "R_d", "R"]
-        name = f"{self.model.name}_jacobian_along_{n_rk}"
-        return ca.Function(name, [u, p, d], list(outputs), ["u", "p", "d"], names)
+
+        def outputs(z: ca.MX, period: ca.MX, p: ca.MX, d: ca.MX) -> list[ca.MX]:
+            y = self._flow(self._block_along, self.start_along(z, p, d), period, p, n_rk, d)
+            return list(self.landing_along(y, z, period, p, d))
+
+        return self._of_whole_step(f"jacobian_along_{n_rk}", outputs, ["J", "R_d", "R"], along=True)
 
     def _of_whole_step(
-        self, name: str, outputs: Callable[[ca.MX, ca.MX, ca.MX], list[ca.MX]], names: list[str]
+        self, name: str, outputs: Callable[..., list[ca.MX]], names: list[str], *, along: bool = False
     ) -> ca.Function:
-        """A function of (u, p), given as one of (z, T, p). Built once per name, to be printed once."""
+        """A function of (u, p), given as one of (z, T, p); with `along` of d as well.
+
+        Built once per name, to be printed once.
+        """
         if name not in self._whole:
-            u, p = ca.MX.sym("u", self.nz + 1), ca.MX.sym("p", self.n_params)
-            out = outputs(u[: self.nz], u[self.nz], p)
-            self._whole[name] = ca.Function(f"{self.model.name}_{name}", [u, p], out, ["u", "p"], names)
+            inputs = {"u": ca.MX.sym("u", self.nz + 1), "p": ca.MX.sym("p", self.n_params)}
+            inputs |= {"d": ca.MX.sym("d", self.n_params)} if along else {}
+            u, *more = inputs.values()
+            out = outputs(u[: self.nz], u[self.nz], *more)
+            full = f"{self.model.name}_{name}"
+            self._whole[name] = ca.Function(full, [*inputs.values()], out, [*inputs], names)
         return self._whole[name]
 
     def rootfinder(

@@ -43,8 +43,8 @@ KERNELS = (
     ),
     Mutation(
         "solver/kernels/step_map.py",
-        "(one, t + node * h) for one",
-        "(one, t) for one",
+        "(one, t + node * h, d) if along",
+        "(one, t, d) if along",
         "the phase of a clock moves as at the beginning of each RK step",
         (ALONG,),
     ),
