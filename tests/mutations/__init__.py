@@ -1,6 +1,6 @@
 """Changes of meaning that the tests must notice, by subject; `python -m tests.mutate` tries them."""
 
-from tests.mutations import boundaries, branches, derivation, numerics, observables, tables
+from tests.mutations import boundaries, branches, derivation, following, numerics, observables, tables
 from tests.mutations.mutation import Mutation
 
 MUTATIONS: tuple[Mutation, ...] = (
@@ -8,6 +8,7 @@ MUTATIONS: tuple[Mutation, ...] = (
     *observables.MUTATIONS,
     *numerics.MUTATIONS,
     *branches.MUTATIONS,
+    *following.MUTATIONS,
     *boundaries.MUTATIONS,
     *tables.MUTATIONS,
 )

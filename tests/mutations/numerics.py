@@ -202,6 +202,22 @@ KERNELS = (
 
 CYCLES = (
     Mutation(
+        "solver/cycles/solver.py",
+        "old = (used >= USES) | (last[open_] > NEAR)",
+        "old = used >= USES",
+        "a derivative from far away serves for another Newton step",
+        (
+            "tests/solver/cycles/test_solver.py::test_a_long_way_from_where_a_search_ends_to_the_solution_is_gone",
+        ),
+    ),
+    Mutation(
+        "solver/cycles/acceptance.py",
+        "near &= ~(self.residual < self.noise())",
+        "near &= True",
+        "rounding is left to finer and finer resolutions",
+        ("tests/solver/cycles/test_solver.py::test_what_rounding_makes_is_left_to_no_finer_resolution",),
+    ),
+    Mutation(
         "solver/cycles/floquet.py",
         "p_z - p_t @ h_z / h_t",
         "p_z + p_t @ h_z / h_t",
