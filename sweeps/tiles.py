@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.solver.branches import arcs_in_lanes
 from stridemap.solver.branches.conditions import GaitConditions
 from stridemap.solver.branches.continuation import Followed, Known, follow
 from stridemap.solver.cycles.acceptance import CLEARLY, DOUBTFUL, clearly_no_gaits
@@ -101,6 +102,7 @@ class _Search:
         self.width = len(self.scale)
         # If a compiler fails, that is not the fault of some cells.
         self.solver.kernels.prepare_search_and_following()
+        arcs_in_lanes.prepared(self.solver.kernels)
         self.lines = Lines.of(task.grid, task.cells)
         self.failures: dict[int, str] = {}
         self.discarded: Counter[tuple[int, str]] = Counter()

@@ -4,6 +4,7 @@ A backend is a value that is passed as an argument. It says what the last bits o
 (`Backend.arithmetic`); two backends whose arithmetic is equal give the same bytes.
 """
 
+import ctypes
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
@@ -96,6 +97,13 @@ class Directional(NamedTuple):
     mixed: Array
 
 
+class Lockstep(NamedTuple):
+    """A compiled algorithm, and where in memory it finds kernels."""
+
+    library: ctypes.CDLL
+    address: Callable[[Kernel], int]
+
+
 class Kernels(ABC):
     """The kernels of one model, mapped over arrays of points.
 
@@ -167,6 +175,21 @@ class Kernels(ABC):
             When the compiler fails.
         """
         return
+
+    def lockstep(self, driver: str) -> Lockstep | None:
+        """An algorithm around the kernels that works on several points at a time; None where none can.
+
+        Parameters
+        ----------
+        driver : str
+            C++ that is compiled after lanes.h and lockstep.h.
+
+        Raises
+        ------
+        CompilerError
+            When the compiler fails.
+        """
+        return None
 
     def limit_cycle(self, n_rk: int, u: Array, p: Array) -> Solved:
         """Newton's method from good guesses."""

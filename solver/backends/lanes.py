@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.backends.base import Backend, Directional, Kernels, Searched
+from stridemap.solver.backends.base import Backend, Directional, Kernels, Lockstep, Searched
 from stridemap.solver.backends.compiler import Compiler, processor_features
 from stridemap.solver.backends.shared_library import check, pointers, sizes
 from stridemap.solver.kernels.catalogue import (
@@ -138,8 +138,7 @@ def _precise(text: str, shown: Sequence[str]) -> str:
 
 def _joined(text: str, numbers: Sequence[str], number: str, driver: str, shown: Sequence[str]) -> str:
     """CasADi's C with another type of number, between the number's header and what calls the functions."""
-    here = Path(__file__).parent
-    *headers, caller = ((here / name).read_text(encoding="utf-8") for name in (*numbers, driver))
+    *headers, caller = map(_header, (*numbers, driver))
     # What is not shown is not compiled.
     return "\n".join(
         [
@@ -152,6 +151,10 @@ def _joined(text: str, numbers: Sequence[str], number: str, driver: str, shown: 
             "",
         ]
     )
+
+
+def _header(name: str) -> str:
+    return (Path(__file__).parent / name).read_text(encoding="utf-8")
 
 
 def _kernels(model: Model) -> str:
@@ -235,6 +238,17 @@ class LaneKernels(Kernels):
     def prepare_search_and_following(self) -> None:
         """Compile what these take: see `Kernels.prepare_search_and_following`."""
         _ = self._search, self._along
+
+    def lockstep(self, driver: str) -> Lockstep:
+        """An algorithm around the kernels: see `Kernels.lockstep`."""
+        integer = "#define casadi_int long long int"  # as in CasADi's C
+        text = "\n".join([integer, *map(_header, ("lanes.h", "lockstep.h")), driver])
+        library = Compiler.named(self._command).library("driver.cpp", text, self._flags)
+        return Lockstep(library, lambda kernel: self._shown(self._owner(kernel), kernel))
+
+    def _owner(self, kernel: Kernel) -> ctypes.CDLL:
+        """The library that has a kernel."""
+        return self._along if kernel in ALONG else self._library
 
     def quick_search(self, n_rk: int, u: Array, p: Array, steps: int | None = None) -> Searched:
         """Newton's method from rough guesses in single precision: see `Kernels.quick_search`.
@@ -353,7 +367,7 @@ class LaneKernels(Kernels):
     ) -> None:
         """Kernels of the same inputs and outputs, each to so many of the points in their order."""
         n = len(kernels)
-        library = self._along if kernels[0] in ALONG else self._library
+        library = self._owner(kernels[0])
         status = library.lockstep_map(
             ctypes.c_longlong(n),
             (ctypes.c_void_p * n)(*(self._shown(library, kernel) for kernel in kernels)),

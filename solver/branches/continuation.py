@@ -27,43 +27,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.branches import cubics
-from stridemap.solver.branches.heads import Heads
+from stridemap.solver.branches.arcs import Lines
+from stridemap.solver.branches.arcs_in_lanes import arcs_for
+from stridemap.solver.branches.heads import Heads, Points
 from stridemap.solver.branches.stops import Stops
 from stridemap.solver.cycles.solver import Solver
-from stridemap.solver.linear import solved
-from stridemap.solver.model.scales import Scales
 from stridemap.solver.options import IN_SWEEPS, ContinuationOptions
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-MODES = 16
-"""Intervals of a line, in each of which the resolution is chosen for the faster of its ends."""
-
-SHARP = 0.999
-"""Cosine of the angle by which the tangent turns in an arclength step, below which the derivative at its end
-is needed."""
-
-TOLERANCE = 1e-3
-"""Length of a correction that is the last: what comes out is a guess, to be converged."""
-
-CONTRACTION, CORRECTION_RATIO = 0.5, 0.5
-"""Largest ratios of one correction to the one before, and of the first to the arclength step."""
-
 PATIENCE = 2.0
 """Length along which a branch is followed without a gait on it."""
 
-SHORT = 0.02
-"""Of an arclength step: a correction that is so small is the last, if it is below the tolerance."""
-
-SIDEWAYS, TELLING = 0.004, 0.02
-"""How far an arclength step may lead sideways, in terms of the scale, and how long it must be to tell: points
-are not exact. But for terms of third order the way along an arc agrees with the mean of the tangents at its
-ends; onto a curve that runs beside this one it leads sideways by the distance of the two."""
-
 LOOK = 8
-"""Arclength steps after which a look is taken whether cycles may be gaits."""
+"""Arclength steps, failed ones included, after which a look is taken whether cycles may be gaits."""
 
 
 @dataclass(frozen=True)
@@ -227,9 +206,9 @@ def follow(
         What two of the branches have in common may be on one of them alone.
     """
     known = known or Known(u[:0], s[:0], np.empty(0, dtype=np.int64))
-    lines = _Lines(solver, params, target, options or IN_SWEEPS, period_range, may_be_gaits)
+    branches = _Branches(Lines(solver, params, target), options or IN_SWEEPS, period_range, may_be_gaits)
     x = np.column_stack([u, s])
-    return lines.upwards(x) if upwards else lines.both_ways(x, np.column_stack(known[:2]), known.branch)
+    return branches.upwards(x) if upwards else branches.both_ways(x, known)
 
 
 def _at_end(s: Array, slope: Array) -> Mask:
@@ -237,57 +216,33 @@ def _at_end(s: Array, slope: Array) -> Mask:
     return ((s <= 0) & (slope < 0)) | ((s >= 1) & (slope > 0))
 
 
-class _Lines:
-    """Branches that are being followed, one on each of m lines. Points on them are x = (u, s)."""
+@dataclass(frozen=True)
+class _Branches:
+    """Branches that are being followed, each on its line."""
 
-    def __init__(
-        self,
-        solver: Solver,
-        params: Array,
-        target: Array,
-        options: ContinuationOptions,
-        period_range: tuple[float, float],
-        may_be_gaits: Callable[[Array, Array], Mask] | None,
-    ) -> None:
-        self.kernels, self.options, self.resolution = solver.kernels, options, solver.resolution
-        self.params, self.direction = params, target - params
-        self.period_range, self.may_be_gaits = period_range, may_be_gaits
-        self.scale = np.array([*solver.model.spec.scales, Scales.of(solver.model).time, 1.0])
-        ends = np.hstack([params, target])
-        _, self.first, line = np.unique(ends, axis=0, return_index=True, return_inverse=True)
-        self.line = line.ravel()
-        self.modes = self._modes() if len(params) else np.empty((0, MODES))
+    lines: Lines
+    options: ContinuationOptions
+    period_range: tuple[float, float]
+    may_be_gaits: Callable[[Array, Array], Mask] | None
 
-    def both_ways(self, x: Array, known: Array, on_line_of: Index) -> Followed:
+    def both_ways(self, x: Array, known: Known) -> Followed:
         """Follow all one way first, and then those the other way that none of the others has come along."""
-        tangent = self._oriented(x)
-        stops = Stops(
-            np.concatenate([x, known]), np.concatenate([self.line, self.line[on_line_of]]), self.scale
-        )
-        return self._followed(x, tangent, stops, back=True)
+        points = np.concatenate([x, np.column_stack([known.u, known.s])])
+        number = self.lines.number
+        stops = Stops(points, np.concatenate([number, number[known.branch]]), self.lines.scale)
+        return self._followed(x, self._oriented(x), stops, back=True)
 
     def upwards(self, x: Array) -> Followed:
         """Follow all towards s = 1 only, each to its own end."""
-        tangent, _ = self._tangents(x)
-        return self._followed(x, tangent, Stops(x[:0], self.line[:0], self.scale), back=False)
-
-    def _tangents(self, x: Array) -> tuple[Array, Array]:
-        """Unit tangents towards s = 1, and the matrices whose last rows they are, in terms of the scale."""
-        at, upwards = np.arange(len(x)), np.zeros_like(x)
-        upwards[:, -1] = 1.0
-        matrix = np.zeros((0, x.shape[1], x.shape[1]))
-        if len(x):
-            matrix, _ = self._system(at, x, self._n_rk(at, x))
-        tangent = self._tangent(matrix, upwards)
-        matrix[:, -1, :] = tangent / self.scale**2
-        return tangent, matrix
+        tangent, _ = self.lines.tangents(x)
+        return self._followed(x, tangent, Stops.none(self.lines.scale), back=False)
 
     def _oriented(self, x: Array) -> Array:
         """Unit tangents that point the same way all along a curve, folds included: by a determinant's sign.
 
         With tangents towards s = 1, what lies between two beginnings around a fold would be followed twice.
         """
-        tangent, matrix = self._tangents(x)
+        tangent, matrix = self.lines.tangents(x)
         with np.errstate(invalid="ignore"):
             return np.where(np.linalg.det(matrix)[:, None] < 0, -tangent, tangent)
 
@@ -296,30 +251,32 @@ class _Lines:
 
         That way begins on each line when none is left on it, for those that no other one has come along.
         """
-        options = self.options
+        line = self.lines.number
+        arcs = arcs_for(self.lines, self.options, self.period_range, stops, tangent)
         came_along = np.zeros(len(x), dtype=bool)
         heads = self._beginning(np.arange(len(x)), x, tangent, ahead=True)
         passed = [heads.points]
-        waiting = np.full(len(self.first), back)  # lines whose way back has not begun
+        waiting = np.full(len(self.lines.first), back)  # lines whose way back has not begun
         while True:
-            heads = heads.take((heads.ds >= options.ds_min) & (heads.steps < options.max_steps))
+            heads = arcs.going(heads)
             begins = waiting.copy()
-            begins[self.line[heads.branch[heads.ahead]]] = False
+            begins[line[heads.branch[heads.ahead]]] = False
             if begins.any():
-                at = np.flatnonzero(begins[self.line] & ~came_along)
+                at = np.flatnonzero(begins[line] & ~came_along)
                 begun = self._beginning(at, x[at], -tangent[at], ahead=False)
                 passed.append(begun.points)
                 heads, waiting = Heads.concatenate([heads, begun]), waiting & ~begins
                 continue
             if not len(heads):
                 break
-            heads = self._promising(heads)
-            heads, good, behind = self._advanced(heads, stops, tangent)
-            passed.append(heads.take(good).points)
-            came_along[behind] = True
-        branch, ahead, points, tangents = (np.concatenate(parts) for parts in zip(*passed, strict=True))
-        order = np.lexsort((ahead, branch))
-        return Followed(self.scale, branch[order], ahead[order], points[order], tangents[order])
+            heads, points, met = arcs.taken(self._promising(heads), LOOK)
+            passed.append(points)
+            came_along[met] = True
+        whole = Points.concatenate(passed)
+        order = np.lexsort((whole.ahead, whole.branch))
+        return Followed(
+            self.lines.scale, whole.branch[order], whole.ahead[order], whole.x[order], whole.tangent[order]
+        )
 
     def _beginning(self, at: Index, x: Array, tangent: Array, ahead: bool) -> Heads:
         """Branches at their beginnings; those that cannot be followed end there."""
@@ -327,161 +284,9 @@ class _Lines:
         return Heads.beginning(at, ahead, x, tangent, np.where(begins, self.options.ds, 0.0))
 
     def _promising(self, heads: Heads) -> Heads:
-        """Those on whose branches there was a gait not long ago, as far as it is time for a look."""
-        look = np.flatnonzero(heads.steps % LOOK == 0)
-        if self.may_be_gaits is None or not len(look):
+        """Those on whose branches there was a gait not long ago."""
+        if self.may_be_gaits is None or not len(heads):
             return heads
-        u, at = heads.x[look, :-1], heads.branch[look]
-        idle = heads.idle.copy()
-        idle[look[self.may_be_gaits(u, self._point(at, heads.x[look, -1:]))]] = 0.0
-        given_up = np.zeros(len(heads), dtype=bool)
-        given_up[look] = idle[look] > PATIENCE
-        return replace(heads, idle=idle).take(~given_up)
-
-    def _advanced(self, heads: Heads, stops: Stops, beginnings: Array) -> tuple[Heads, Mask, Index]:
-        """Heads an arclength step later, which of them got on, and beginnings met from behind."""
-        at, x, tangent, ds = heads.branch, heads.x, heads.tangent, heads.ds
-        y, new, good, factor = self._step(at, x, tangent, heads.bend, ds)
-        shortest, longest = self.period_range
-        period, s = y[:, -2], y[:, -1]
-        ended = ~((period > shortest) & (period <= longest)) | (s <= 0) | (s >= 1)
-        row, stop = stops.between(self.line[at[good]], x[good], y[good], tangent[good], new[good])
-        ended[np.flatnonzero(good)[row]] = True
-        row, stop = row[stop < len(beginnings)], stop[stop < len(beginnings)]
-        behind = (new[good][row] * beginnings[stop] / self.scale**2).sum(axis=1) > 0
-        with np.errstate(invalid="ignore", divide="ignore"):
-            bend = (new - tangent) / self._norm(y - x)[:, None]
-        moved = good[:, None]
-        heads = Heads(
-            at,
-            heads.ahead,
-            np.where(moved, y, x),
-            np.where(moved, new, tangent),
-            np.where(moved, bend, heads.bend),
-            np.where(good & ended, 0.0, np.minimum(factor * ds, self.options.ds_max)),
-            heads.idle + np.where(good, ds, 0.0),
-            heads.steps + 1,
-        )
-        return heads, good, stop[behind]
-
-    def _step(
-        self, at: Index, x: Array, tangent: Array, bend: Array, ds: Array
-    ) -> tuple[Array, Array, Mask, Array]:
-        """One arclength step, corrected: points and tangents, whether they hold, factors of the next step.
-
-        The derivative at the predicted point serves for all corrections, and for the new tangent.
-        """
-        options = self.options
-        y, across, length = self._predicted(x, tangent, bend, ds)
-        n_rk = self._n_rk(at, y)
-        matrix, residual = self._system(at, y, n_rk)
-        new = self._tangent(matrix, tangent)
-        matrix[:, -1, :] = across
-        change = solved(matrix, np.column_stack([-residual, np.zeros(len(at))]))
-        y += change
-        size = self._norm(change)
-        with np.errstate(invalid="ignore"):
-            cosine = (new * tangent / self.scale**2).sum(axis=1)
-            near = (size < CORRECTION_RATIO * length) & (cosine > options.min_tangent_cosine)
-        # Where steps are short, points must be as exact as these are short.
-        small = np.minimum(TOLERANCE, SHORT * length)
-        good = near & (size < small)
-        easy = good.copy()
-        open_ = np.flatnonzero(near & ~good)
-        for attempt in range(options.max_corrections):
-            if not len(open_):
-                break
-            residual = self._residual(at[open_], y[open_, :-1], y[open_, -1:], n_rk[open_])
-            change = solved(matrix[open_], np.column_stack([-residual, np.zeros(len(open_))]))
-            y[open_] += change
-            now = self._norm(change)
-            done = now < small[open_]
-            good[open_[done]] = True
-            easy[open_[done]] = attempt < options.max_corrections - 1
-            with np.errstate(invalid="ignore"):
-                shrinking = now < CONTRACTION * size[open_]
-            size[open_] = now
-            open_ = open_[~done & shrinking]
-        sharp = np.flatnonzero(good & (cosine < SHARP))
-        if len(sharp):
-            new[sharp] = self._refined(at[sharp], y, across, tangent, n_rk, sharp)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            good &= (self._sideways(x, y, tangent, new) < SIDEWAYS) | (length < TELLING)
-            wanted = np.arccos(options.easy_tangent_cosine) / np.arccos(np.minimum(cosine, 1.0))
-        factor = np.clip(wanted, options.step_shrink, np.where(easy, options.step_growth, 1.0))
-        return y, new, good, np.where(good, factor, options.step_shrink)
-
-    def _sideways(self, x: Array, y: Array, tangent: Array, new: Array) -> Array:
-        """How far from y one comes from x in the direction of the mean of their tangents."""
-        way, mean = y - x, tangent + new
-        return self._norm(way - (self._norm(way) / self._norm(mean))[:, None] * mean)
-
-    def _refined(self, at: Index, y: Array, across: Array, tangent: Array, n_rk: Index, rows: Index) -> Array:
-        """Tangents of rows where they turn sharply, from derivatives there; corrects their points."""
-        matrix, residual = self._system(at, y[rows], n_rk[rows])
-        new = self._tangent(matrix, tangent[rows])
-        matrix[:, -1, :] = across[rows]
-        y[rows] += solved(matrix, np.column_stack([-residual, np.zeros(len(rows))]))
-        return new
-
-    def _predicted(self, x: Array, tangent: Array, bend: Array, ds: Array) -> tuple[Array, Array, Array]:
-        """Points along parabolas, normals of the planes that corrections keep, and the arclength steps.
-
-        An arclength step does not go beyond an end: to stop there, corrections keep s and not the plane.
-        """
-        s, slope = x[:, -1], tangent[:, -1]
-        with np.errstate(divide="ignore", invalid="ignore"):
-            left = np.where(slope > 0, (1 - s) / slope, np.where(slope < 0, -s / slope, np.inf))
-        at_end = ds >= left
-        length = np.minimum(ds, left)
-        y = x + length[:, None] * tangent + 0.5 * length[:, None] ** 2 * bend
-        end = np.where(at_end, slope > 0, y[:, -1] > 0.5)
-        at_end |= (y[:, -1] < 0) | (y[:, -1] > 1)
-        y[at_end, -1] = end[at_end]
-        across = tangent / self.scale**2
-        across[at_end] = np.eye(x.shape[1])[-1]
-        return y, across, length
-
-    def _system(self, at: Index, x: Array, n_rk: Index) -> tuple[Array, Array]:
-        """Derivative of the residual with a last row to be filled in, shape (m, nz + 2, nz + 2); residual."""
-        u, s = x[:, :-1], x[:, -1:]
-        n = u.shape[1]
-        jacobian, along, residual = self.kernels.jacobian_along(
-            n_rk, u, self._point(at, s), self.direction[at]
-        )
-        matrix = np.zeros((len(x), n + 1, n + 1))
-        matrix[:, :n, :n] = jacobian
-        matrix[:, :n, n] = along
-        return matrix, residual
-
-    def _residual(self, at: Index, u: Array, s: Array, n_rk: Index) -> Array:
-        return self.kernels.residual(n_rk, u, self._point(at, s))
-
-    def _point(self, at: Index, s: Array) -> Array:
-        """Parameters at fractions of lines, shape (k, n_params)."""
-        return np.asarray(self.params[at] + s * self.direction[at])
-
-    def _modes(self) -> Array:
-        """The fastest mode in each interval of the line of each branch, shape (m, MODES)."""
-        first, fractions = self.first, np.linspace(0, 1, MODES + 1)
-        points = self.params[first, None] + fractions[:, None] * self.direction[first, None]
-        modes = self.resolution.fastest_mode(points.reshape(-1, points.shape[2])).reshape(len(first), -1)
-        return np.asarray(np.maximum(modes[:, 1:], modes[:, :-1])[self.line])
-
-    def _n_rk(self, at: Index, x: Array) -> Index:
-        """RK steps of a walking step near points."""
-        interval = np.clip(np.nan_to_num(x[:, -1]) * MODES, 0, MODES - 1).astype(np.int64)
-        return self.resolution.branch_n_rk(x[:, -2], self.modes[at, interval])
-
-    def _tangent(self, matrix: Array, ahead: Array) -> Array:
-        """Unit tangents on the same side as `ahead`."""
-        matrix = matrix.copy()
-        matrix[:, -1, :] = ahead / self.scale**2
-        right = np.zeros(ahead.shape)
-        right[:, -1] = 1.0
-        tangent = solved(matrix, right)
-        return tangent / self._norm(tangent)[:, None]
-
-    def _norm(self, x: Array) -> Array:
-        """Lengths in terms of the scale."""
-        return np.asarray(np.sqrt(((x / self.scale) ** 2).sum(axis=1)))
+        points = self.lines.point(heads.branch, heads.x[:, -1:])
+        idle = np.where(self.may_be_gaits(heads.x[:, :-1], points), 0.0, heads.idle)
+        return replace(heads, idle=idle).take(idle <= PATIENCE)

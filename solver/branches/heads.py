@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,20 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
+
+
+class Points(NamedTuple):
+    """Points of branches: their numbers, whether they are ahead of the beginning, points, and tangents."""
+
+    branch: Index
+    ahead: Mask
+    x: Array
+    tangent: Array
+
+    @classmethod
+    def concatenate(cls, parts: Sequence["Points"]) -> "Points":
+        """All of some, in order."""
+        return cls(*map(np.concatenate, zip(*parts, strict=True)))
 
 
 @dataclass(frozen=True)
@@ -63,6 +77,6 @@ class Heads:
         return Heads(*(getattr(self, column.name)[index] for column in fields(self)))
 
     @property
-    def points(self) -> tuple[Index, Mask, Array, Array]:
-        """What is kept of where they are: branches, ways, points and tangents."""
-        return self.branch, self.ahead, self.x, self.tangent
+    def points(self) -> Points:
+        """What is kept of where they are."""
+        return Points(self.branch, self.ahead, self.x, self.tangent)

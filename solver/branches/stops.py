@@ -32,6 +32,11 @@ class Stops:
         self.number = np.argsort(key, kind="stable")
         self.key, self.x, self.scale = key[self.number], x[self.number], scale
 
+    @classmethod
+    def none(cls, scale: Array) -> "Stops":
+        """No known points."""
+        return cls(np.empty((0, len(scale))), np.empty(0, dtype=np.int64), scale)
+
     def between(self, line: Index, x: Array, y: Array, tangent: Array, new: Array) -> tuple[Index, Index]:
         """Which points are on branches between x and y.
 

@@ -2,8 +2,8 @@
 
 from tests.mutations.mutation import Mutation
 
-TILES = "tests/sweeps/test_tiles.py"
 CONTINUATION = "tests/solver/branches/test_continuation.py"
+ALIKE = "tests/solver/branches/test_arcs.py::test_steps_in_lanes_are_those_one_by_one"
 
 MUTATIONS = (
     Mutation(
@@ -14,32 +14,32 @@ MUTATIONS = (
         (f"{CONTINUATION}::test_fold_leads_to_the_other_cycle_of_the_pair",),
     ),
     Mutation(
-        "solver/branches/continuation.py",
-        "matrix[:, -1, :] = across\n        change",
-        "matrix[:, -1, :] = np.eye(x.shape[1])[-1]\n        change",
-        "corrections keep the parameter, so that no fold is passed",
-        (f"{CONTINUATION}::test_fold_leads_to_the_other_cycle_of_the_pair",),
+        "solver/branches/arcs.h",
+        "matrix[nu * m + k] = head.across[k];",
+        "matrix[nu * m + k] = k == nu;",
+        "corrections keep the parameter",
+        (ALIKE,),
     ),
     Mutation(
-        "solver/branches/continuation.py",
-        "ended = ~((period > shortest) & (period <= longest)) | (s <= 0) | (s >= 1)",
-        "ended = ~(period > 0) | (s <= 0) | (s >= 1)",
+        "solver/branches/arcs.h",
+        "!(period > c.shortest && period <= c.longest) || s <= 0",
+        "!(period > 0) || s <= 0",
         "branches are followed outside the range of periods",
         (f"{CONTINUATION}::test_hopeless_branches_end_nowhere",),
     ),
     Mutation(
-        "solver/branches/continuation.py",
-        "(self._sideways(x, y, tangent, new) < SIDEWAYS)",
-        "(self._sideways(x, y, tangent, new) < np.inf)",
+        "solver/branches/arcs.h",
+        "led_sideways(head, x, tangent) < c.sideways",
+        "led_sideways(head, x, tangent) < INFINITY",
         "long steps stray to other curves",
         (f"{CONTINUATION}::test_steps_as_long_as_in_sweeps_do_not_stray_to_a_curve_beside",),
     ),
     Mutation(
-        "solver/branches/continuation.py",
-        "if len(sharp):",
-        "if False:",
+        "solver/branches/arcs.h",
+        "if (heads[i].cosine < c.sharp) {",
+        "if (heads[i].cosine < -1) {",
         "tangents where branches turn sharply are those of the predicted points",
-        (f"{TILES}::test_two_cycles_next_to_a_fold_are_one_branch",),
+        (ALIKE,),
     ),
     Mutation(
         "solver/branches/continuation.py",
@@ -50,15 +50,15 @@ MUTATIONS = (
     ),
     Mutation(
         "solver/branches/continuation.py",
-        "at = np.flatnonzero(begins[self.line] & ~came_along)",
+        "at = np.flatnonzero(begins[line] & ~came_along)",
         "at = np.arange(0)",
         "branches are followed one way only",
         (f"{CONTINUATION}::test_where_branches_are_given_up_does_not_depend_on_other_lines",),
     ),
     Mutation(
-        "solver/branches/continuation.py",
-        "look = np.flatnonzero(heads.steps % LOOK == 0)",
-        "look = np.flatnonzero(heads.steps % LOOK == heads.steps.max() % LOOK)",
+        "solver/branches/arcs.h",
+        "head.tries++ == tries",
+        "head.tries++ == n % tries + 1",
         "where a branch is given up depends on others",
         (f"{CONTINUATION}::test_where_branches_are_given_up_does_not_depend_on_other_lines",),
     ),
@@ -87,10 +87,52 @@ MUTATIONS = (
         ("tests/solver/branches/test_following.py::test_branches_end_at_a_fold_where_they_meet",),
     ),
     Mutation(
-        "solver/branches/continuation.py",
+        "solver/branches/arcs.py",
         "matrix[:, :n, n] = along",
         "matrix[:, :n, n] = along * (1 + 1e-9)",
         "derivatives along lines are those of differences",
         (f"{CONTINUATION}::test_the_derivative_along_a_line_is_exact",),
+    ),
+    Mutation(
+        "solver/branches/arcs.py",
+        "if len(sharp):",
+        "if False:",
+        "without lanes, tangents where branches turn sharply are those of the predicted points",
+        (ALIKE,),
+    ),
+    Mutation(
+        "solver/branches/arcs.py",
+        "ended[np.flatnonzero(good)[row]] = True",
+        "pass",
+        "without lanes, branches do not end where others begin",
+        (ALIKE,),
+    ),
+    Mutation(
+        "solver/branches/arcs.h",
+        "head.easy = head.corrections < c.max_corrections;",
+        "head.easy = true;",
+        "steps grow after a hard one",
+        (ALIKE,),
+    ),
+    Mutation(
+        "solver/branches/arcs.h",
+        "bend[k] = (head.turned[k] - tangent[k]) / length;",
+        "bend[k] = 0;",
+        "what is predicted lies on tangents",
+        (ALIKE,),
+    ),
+    Mutation(
+        "solver/branches/arcs.h",
+        "if (!(sqrt(apart) < c.on_curve * length)) continue;",
+        "if (!(sqrt(apart) < 10 * c.on_curve * length)) continue;",
+        "in lanes, branches end at others that pass by",
+        (ALIKE,),
+    ),
+    Mutation(
+        "solver/branches/arcs.h",
+        "f.met_from_behind[number] = 1;",
+        "f.met_from_behind[number] = 0;",
+        "each stretch of a branch is followed from all of its beginnings",
+        (ALIKE,),
     ),
 )

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from stridemap.solver.branches import continuation
-from stridemap.solver.branches.continuation import Followed, Known, _Lines, follow
+from stridemap.solver.branches.arcs import Lines
+from stridemap.solver.branches.continuation import Followed, Known, follow
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
@@ -298,11 +299,11 @@ def test_the_derivative_along_a_line_is_exact(k, low, high):
     u, _ = cycles_at(model, k=k)
     start, target = (np.tile(model.point({"k": end}), (len(u), 1)) for end in (low, high))
     solver = Solver.for_model(model)
-    lines = _Lines(solver, start, target, IN_SWEEPS, RANGE, None)
+    lines = Lines(solver, start, target)
     s = np.full((len(u), 1), (k - low) / (high - low))
     at = np.arange(len(u))
-    matrix, _ = lines._system(at, np.hstack([u, s]), np.full(len(u), 96))
+    matrix, _ = lines.system(at, np.hstack([u, s]), np.full(len(u), 96))
     along = np.hstack([np.zeros_like(u), target - start])
-    exact = solver.kernels.directional(96, u, lines._point(at, s), along, along).along_a
+    exact = solver.kernels.directional(96, u, lines.point(at, s), along, along).along_a
     error = np.abs(matrix[:, :-1, -1] - exact).max(axis=1) / np.abs(exact).max(axis=1)
     assert (error < 1e-12).all(), error
