@@ -192,9 +192,14 @@ class Solver:
             The solution itself where its tangent leads farther than `FAR_AHEAD`.
         """
         out, scale = u.copy(), Scales.of(self.model).unknowns
-        n_rk = self.resolution.branch_n_rk(u[:, -1], self.resolution.fastest_mode(params))
-        jacobian, slope, _ = self.kernels.jacobian_along(n_rk, u, params, target - params)
-        change = -solved(jacobian, slope)
+        # Targets on both sides of a solution, or at several distances, ask for the same derivative.
+        way = target - params
+        far = np.take_along_axis(way, np.abs(way).argmax(axis=1)[:, None], axis=1)
+        way = np.divide(way, far, out=np.zeros_like(way), where=far != 0)
+        one, same = _distinct_rows(np.hstack([u, params, way]))
+        n_rk = self.resolution.branch_n_rk(u[one, -1], self.resolution.fastest_mode(params[one]))
+        jacobian, slope, _ = self.kernels.jacobian_along(n_rk, u[one], params[one], way[one])
+        change = -far * solved(jacobian, slope)[same]
         with np.errstate(invalid="ignore"):
             good = np.abs(change / scale).max(axis=1) < FAR_AHEAD
         out[good] += change[good]
@@ -248,6 +253,13 @@ class Solver:
                 parts.append(candidates.take(done).orbits(period_range, unresolved[done]))
                 places.append(at[done])
         return Orbits.concatenate(self.model, parts).take(np.argsort(np.concatenate(places)))
+
+
+def _distinct_rows(rows: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """The first of each set of rows that are alike to the last bit, and in which set each row is."""
+    whole = np.ascontiguousarray(rows + 0.0).view(f"V{rows.itemsize * rows.shape[1]}")  # no zero is negative
+    _, first, inverse = np.unique(whole.ravel(), return_index=True, return_inverse=True)
+    return first, inverse.ravel()
 
 
 LEVELS = (*CYCLE_N_RK, *FINE_N_RK)

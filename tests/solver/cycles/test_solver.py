@@ -194,6 +194,13 @@ def test_a_tangent_leads_to_the_solutions_at_other_parameters():
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.1)
     far = solver.model.point({"k": 600.0})
     np.testing.assert_array_equal(solver.predicted(u, p[None], far[None]), u)
+    # Many targets at a time, on either side of a solution, or the solution's own parameters.
+    targets = np.array([solver.model.point({"k": k}) for k in (22.4, 22.5, 22.6, 600.0, 22.4)])
+    alone = np.concatenate([solver.predicted(u, p[None], target[None]) for target in targets])
+    many = [np.tile(one, (len(targets), 1)) for one in (u, p[None])]
+    np.testing.assert_allclose(solver.predicted(*many, targets), alone, rtol=0, atol=1e-14)
+    np.testing.assert_array_equal(alone[1], u[0])
+    np.testing.assert_allclose(alone[0] + alone[2], 2 * u[0], rtol=0, atol=1e-9)
 
 
 @pytest.mark.quick
