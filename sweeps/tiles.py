@@ -43,8 +43,10 @@ ACROSS = 16
 BEYOND = 0.1
 """Of the distance between two cells: so far beyond a fold a cell is tried that the branch may pass."""
 
-NEWTON_STEPS_ACROSS = 5
-"""Newton steps at most from where the tangent leads in a cell beside: a solution that is there is near."""
+NEWTON_STEPS, NEWTON_STEPS_ACROSS = 7, 5
+"""Newton steps at most from a start, and from where the tangent leads in a cell beside: a solution that is
+there is near. Searches that do not close take most of the time, and what a few more steps would find is found
+from other starts, or along its branch."""
 
 BESIDE = 0.2
 """A guess that is no farther from a known solution of its cell, in terms of scales, leads there: no search
@@ -239,7 +241,7 @@ class _Search:
         across = guesses.origin != guesses.cell
         u[across] = self.solver.predicted(u[across], self._points(guesses.origin[across]), points[across])
         closed = np.zeros(len(u), dtype=bool)
-        for some, steps in ((~across, None), (across, NEWTON_STEPS_ACROSS)):
+        for some, steps in ((~across, NEWTON_STEPS), (across, NEWTON_STEPS_ACROSS)):
             u[some], closed[some] = self.solver.quick_search(u[some], points[some], steps)
         at = np.flatnonzero(closed)
         kept, group = grouped(guesses.cell[at], u[at], SEARCH_TOLERANCE, backwards(u), self.scale)

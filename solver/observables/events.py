@@ -144,22 +144,30 @@ def brackets(trace: Trace, name: str) -> Brackets:
     """
     row = trace.row(name)
     g, dg = trace.observable(name)
-    left, right, s_left, s_right = g[:, :-1], g[:, 1:], dg[:, :-1], dg[:, 1:]
-    change = (left < 0) != (right < 0)
+    below, falls = g < 0, dg < 0
+    change = below[:, :-1] != below[:, 1:]
 
+    # Signs leave few intervals, which are looked at more closely.
     parts = []
-    turn = ~change & (left * s_left < 0) & (right * s_right > 0)
+    turn = ~change & (below[:, :-1] != falls[:, :-1]) & (below[:, 1:] == falls[:, 1:])
+    orbit, node, left, right, s_left, s_right = _ends(g, dg, *np.nonzero(turn))
+    turn = (left * s_left < 0) & (right * s_right > 0)
     if turn.any():
-        orbit, node = np.nonzero(turn)
+        orbit, node = orbit[turn], node[turn]
         h = trace.h[orbit]
         tau = _turning_point(left[turn], right[turn], s_left[turn], s_right[turn], h)
         parts.append(_split(trace, row, False, orbit, node, np.stack([0 * h, tau, h], axis=1)))
-    # There and back again: the interpolant rises, falls and rises, or falls, rises and falls.
-    h = trace.h[:, None]
-    rise = right - left
-    small = (rise * s_left < 0) | (3 * np.abs(rise) < h * np.maximum(np.abs(s_left), np.abs(s_right)))
-    orbit, node = np.nonzero((s_left * s_right > 0) & small)
-    f0, f1, s0, s1 = (x[orbit, node] for x in (left, right, s_left, s_right))
+    # There and back again: the interpolant rises, falls and rises, or falls, rises and falls. It ends lower
+    # than it began, or higher, or else its control points are within 2/3 of the slope times the interval.
+    reach = trace.h * np.abs(dg).max(axis=1)
+    back = (np.diff(g, axis=1) < 0) != falls[:, :-1]
+    back |= ~(np.abs(g[:, :-1]) > reach[:, None])
+    back &= falls[:, :-1] == falls[:, 1:]
+    orbit, node, f0, f1, s0, s1 = _ends(g, dg, *np.nonzero(back))
+    rise, h = f1 - f0, trace.h[orbit]
+    small = (rise * s0 < 0) | (3 * np.abs(rise) < h * np.maximum(np.abs(s0), np.abs(s1)))
+    small &= s0 * s1 > 0
+    orbit, node, f0, f1, s0, s1 = (one[small] for one in (orbit, node, f0, f1, s0, s1))
     tau = _turning_points(f0, f1, s0, s1, trace.h[orbit])
     column = (slice(None), None)
     value = _interpolated(f0[column], f1[column], s0[column], s1[column], trace.h[orbit][column], tau)
@@ -174,7 +182,13 @@ def brackets(trace: Trace, name: str) -> Brackets:
     return _merged(_whole(trace, row, False, *np.nonzero(change)), *parts)
 
 
-def turning_brackets(trace: Trace, name: str, within: NDArray[np.bool_] | None = None) -> Brackets:
+def _ends(g: Array, dg: Array, orbit: Index, node: Index) -> tuple[Index, Index, Array, Array, Array, Array]:
+    """Some intervals with values, then slopes, at both of their ends."""
+    ends = (one[orbit, node + end] for one in (g, dg) for end in (0, 1))
+    return (orbit, node, *ends)
+
+
+def turning_brackets(trace: Trace, name: str, within: tuple[Index, Index] | None = None) -> Brackets:
     """Every zero of an observable's time derivative as a bracket; pairs between two nodes as in `brackets`.
 
     Parameters
@@ -182,12 +196,12 @@ def turning_brackets(trace: Trace, name: str, within: NDArray[np.bool_] | None =
     trace : Trace
     name : str
         One of `observables`.
-    within : ndarray of bool, shape (n, N), optional
-        The intervals between nodes that are looked at; all of them if it is left out.
+    within : (ndarray of int, ndarray of int), optional
+        Orbits and nodes of the intervals that are looked at, in order; all of them if it is left out.
     """
     row = trace.row(name)
     _, dg = trace.observable(name)
-    orbit, node = np.nonzero(np.ones((len(dg), dg.shape[1] - 1), dtype=bool) if within is None else within)
+    orbit, node = np.nonzero(np.ones((len(dg), dg.shape[1] - 1), dtype=bool)) if within is None else within
     left, right = dg[orbit, node], dg[orbit, node + 1]
     change = (left < 0) != (right < 0)
     parts = []

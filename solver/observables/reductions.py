@@ -29,10 +29,14 @@ def extreme(trace: Trace, name: str, score: np.ufunc | None = None) -> Array:
     g, slope = trace.observable(name)
     scores = value(g)
     best = scores.max(axis=1)
-    # Only a turning point next to the best nodes can beat them: a generous bound on what it can gain.
-    gain = np.maximum(np.abs(slope[:, :-1]), np.abs(slope[:, 1:])) * trace.h[:, None]
-    near = np.maximum(scores[:, :-1], scores[:, 1:]) + gain >= best[:, None]
-    turns = turning_brackets(trace, name, near)
+    # Only a turning point next to the best nodes can beat them: generous bounds on what it can gain, first
+    # one for all of an orbit.
+    reach = best - trace.h * np.abs(slope).max(axis=1)
+    near = ~(scores < reach[:, None])
+    orbit, node = np.nonzero(near[:, :-1] | near[:, 1:])
+    gain = np.maximum(np.abs(slope[orbit, node]), np.abs(slope[orbit, node + 1])) * trace.h[orbit]
+    near = np.maximum(scores[orbit, node], scores[orbit, node + 1]) + gain >= best[orbit]
+    turns = turning_brackets(trace, name, (orbit[near], node[near]))
     _, _, seen = locate(trace, turns)
     np.maximum.at(best, turns.orbit, value(seen[:, turns.row]))
     return best

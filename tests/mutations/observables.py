@@ -10,8 +10,22 @@ ERRORS = "tests/solver/cycles/test_errors.py"
 ZEROS = (
     Mutation(
         "solver/observables/events.py",
-        "turn = ~change & (left * s_left < 0)",
-        "turn = (left != left) & (left * s_left < 0)",
+        "back |= ~(np.abs(g[:, :-1]) > reach[:, None])",
+        "back |= ~(np.abs(g[:, :-1]) > 0 * reach[:, None])",
+        "three zeros between two nodes are seen only where the function ends lower, or higher, than it began",
+        (f"{EVENTS}::test_every_zero_is_found",),
+    ),
+    Mutation(
+        "solver/observables/reductions.py",
+        "reach = best - trace.h * np.abs(slope).max(axis=1)",
+        "reach = best - 0 * trace.h",
+        "extrema are looked for beside the best node only",
+        (f"{EVENTS}::test_a_turning_point_beside_low_nodes_may_be_the_highest",),
+    ),
+    Mutation(
+        "solver/observables/events.py",
+        "turn = (left * s_left < 0) & (right * s_right > 0)",
+        "turn = (left != left) & (right * s_right > 0)",
         "two zeros between two nodes are not seen",
         (f"{EVENTS}::test_every_zero_is_found",),
     ),
@@ -38,8 +52,8 @@ ZEROS = (
     ),
     Mutation(
         "solver/observables/events.py",
-        "change = (left < 0) != (right < 0)\n\n    parts",
-        "change = (left < 0) & (right >= 0)\n\n    parts",
+        "change = below[:, :-1] != below[:, 1:]",
+        "change = below[:, :-1] & ~below[:, 1:]",
         "falling zeros are not seen",
         (f"{EVENTS}::test_every_zero_is_found",),
     ),
