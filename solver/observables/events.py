@@ -150,7 +150,8 @@ def brackets(trace: Trace, name: str) -> Brackets:
     # Signs leave few intervals, which are looked at more closely.
     parts = []
     turn = ~change & (below[:, :-1] != falls[:, :-1]) & (below[:, 1:] == falls[:, 1:])
-    orbit, node, left, right, s_left, s_right = _ends(g, dg, *np.nonzero(turn))
+    orbit, node = np.nonzero(turn)
+    left, right, s_left, s_right = _ends(g, dg, orbit, node)
     turn = (left * s_left < 0) & (right * s_right > 0)
     if turn.any():
         orbit, node = orbit[turn], node[turn]
@@ -163,11 +164,13 @@ def brackets(trace: Trace, name: str) -> Brackets:
     back = (np.diff(g, axis=1) < 0) != falls[:, :-1]
     back |= ~(np.abs(g[:, :-1]) > reach[:, None])
     back &= falls[:, :-1] == falls[:, 1:]
-    orbit, node, f0, f1, s0, s1 = _ends(g, dg, *np.nonzero(back))
+    orbit, node = np.nonzero(back)
+    f0, f1, s0, s1 = _ends(g, dg, orbit, node)
     rise, h = f1 - f0, trace.h[orbit]
     small = (rise * s0 < 0) | (3 * np.abs(rise) < h * np.maximum(np.abs(s0), np.abs(s1)))
     small &= s0 * s1 > 0
-    orbit, node, f0, f1, s0, s1 = (one[small] for one in (orbit, node, f0, f1, s0, s1))
+    orbit, node = orbit[small], node[small]
+    f0, f1, s0, s1 = f0[small], f1[small], s0[small], s1[small]
     tau = _turning_points(f0, f1, s0, s1, trace.h[orbit])
     column = (slice(None), None)
     value = _interpolated(f0[column], f1[column], s0[column], s1[column], trace.h[orbit][column], tau)
@@ -182,10 +185,9 @@ def brackets(trace: Trace, name: str) -> Brackets:
     return _merged(_whole(trace, row, False, *np.nonzero(change)), *parts)
 
 
-def _ends(g: Array, dg: Array, orbit: Index, node: Index) -> tuple[Index, Index, Array, Array, Array, Array]:
-    """Some intervals with values, then slopes, at both of their ends."""
-    ends = (one[orbit, node + end] for one in (g, dg) for end in (0, 1))
-    return (orbit, node, *ends)
+def _ends(g: Array, dg: Array, orbit: Index, node: Index) -> tuple[Array, Array, Array, Array]:
+    """Values, then slopes, at both ends of some intervals."""
+    return g[orbit, node], g[orbit, node + 1], dg[orbit, node], dg[orbit, node + 1]
 
 
 def turning_brackets(trace: Trace, name: str, within: tuple[Index, Index] | None = None) -> Brackets:

@@ -90,8 +90,8 @@ ZEROS = (
 MEASURED = (
     Mutation(
         "solver/observables/reductions.py",
-        "+ gain >= best[:, None]",
-        "+ gain < best[:, None]",
+        "+ gain >= best[orbit]",
+        "+ gain < best[orbit]",
         "extrema between nodes do not count",
         (f"{EVENTS}::test_extremes_over_continuous_time_and_at_the_ends",),
     ),
