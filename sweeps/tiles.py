@@ -45,8 +45,8 @@ BEYOND = 0.1
 
 NEWTON_STEPS, NEWTON_STEPS_ACROSS = 7, 5
 """Newton steps at most from a start, and from where the tangent leads in a cell beside: a solution that is
-there is near. Searches that do not close take most of the time, and what a few more steps would find is found
-from other starts, or along its branch."""
+there is near. Searches that do not close take most of the time, and nearly all of what a few more steps would
+find is found from other starts, or along its branch."""
 
 BESIDE = 0.2
 """A guess that is no farther from a known solution of its cell, in terms of scales, leads there: no search

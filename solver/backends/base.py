@@ -176,12 +176,14 @@ class Kernels(ABC):
         """
         return
 
-    def lockstep(self, driver: str) -> Lockstep | None:
+    def lockstep(self, driver: Path) -> Lockstep | None:
         """An algorithm around the kernels that works on several points at a time; None where none can.
+
+        It is compiled when it is first asked for.
 
         Parameters
         ----------
-        driver : str
+        driver : Path
             C++ that is compiled after lanes.h and lockstep.h.
 
         Raises

@@ -224,6 +224,7 @@ class LaneKernels(Kernels):
         self._library = self._compiler.library(f"{model.name}_lockstep.cpp", source(model), self._flags)
         self.library = Path(self._library._name)
         self._addresses: dict[tuple[ctypes.CDLL, Kernel], int] = {}
+        self._drivers: dict[Path, Lockstep] = {}
 
     @cached_property
     def _search(self) -> ctypes.CDLL:
@@ -239,12 +240,19 @@ class LaneKernels(Kernels):
         """Compile what these take: see `Kernels.prepare_search_and_following`."""
         _ = self._search, self._along
 
-    def lockstep(self, driver: str) -> Lockstep:
+    def lockstep(self, driver: Path) -> Lockstep:
         """An algorithm around the kernels: see `Kernels.lockstep`."""
-        integer = "#define casadi_int long long int"  # as in CasADi's C
-        text = "\n".join([integer, *map(_header, ("lanes.h", "lockstep.h")), driver])
-        library = Compiler.named(self._command).library("driver.cpp", text, self._flags)
-        return Lockstep(library, lambda kernel: self._shown(self._owner(kernel), kernel))
+        if driver not in self._drivers:
+            integer = "#define casadi_int long long int"  # as in CasADi's C
+            headers = map(_header, ("lanes.h", "lockstep.h"))
+            text = "\n".join([integer, *headers, driver.read_text(encoding="utf-8")])
+            library = Compiler.named(self._command).library(f"{driver.stem}.cpp", text, self._flags)
+            self._drivers[driver] = Lockstep(library, self._address)
+        return self._drivers[driver]
+
+    def _address(self, kernel: Kernel) -> int:
+        """Where in memory a kernel is."""
+        return self._shown(self._owner(kernel), kernel)
 
     def _owner(self, kernel: Kernel) -> ctypes.CDLL:
         """The library that has a kernel."""

@@ -20,17 +20,24 @@ def sizes(arrays: list[Array]) -> ctypes.Array:
     return (ctypes.c_longlong * len(arrays))(*[a.shape[1] for a in arrays])
 
 
-def check(status: int, kernel: Kernel) -> None:
+def check(status: int, what: Kernel | str) -> None:
     """Raise what a return value stands for.
+
+    Parameters
+    ----------
+    status : int
+    what : Kernel or str
+        What was called.
 
     Raises
     ------
     MemoryError
         When there was no memory for the work space.
     RuntimeError
-        When the kernel broke down.
+        When a kernel broke down.
     """
+    name = what if isinstance(what, str) else f"kernel {what.name}"
     if status == 1:
-        raise MemoryError(f"not enough memory for kernel {kernel.name}")
+        raise MemoryError(f"not enough memory for {name}")
     if status:
-        raise RuntimeError(f"kernel {kernel.name} broke down")
+        raise RuntimeError(f"{name} broke down")

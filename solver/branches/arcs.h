@@ -1,15 +1,14 @@
 /* Arclength steps of many branches, as arcs.py takes them, in C++: compiled after lanes.h and lockstep.h.
  *
- * A branch waits for the derivative at its predicted point, then for residuals at corrected ones, and where its
- * tangent turns sharply for the derivative at the last of these. Those that wait for the same kernel are served
- * `LANES` at a time. What comes out for a branch depends neither on the others nor on the number of lanes. */
-
-#include <new>
+ * A branch waits for the derivative at its predicted point, then, unless that will do, for residuals at corrected
+ * ones, and where its tangent turns sharply for the derivative at the last of these. Those that wait for the same
+ * kernel are served `LANES` at a time. What comes out for a branch depends neither on the others nor on the number
+ * of lanes, nor on the processor: no function of the C library is called that is not exactly rounded. */
 
 /* What stays the same: see the structure of the same name in arcs_in_lanes.py. Matrices are stored by rows. */
 struct Course {
     casadi_int n_unknowns, n_params, n_levels, n_modes, n_stops, n_beginnings, max_steps, max_corrections;
-    double shortest, longest, ds_min, ds_max, step_growth, step_shrink, min_tangent_cosine, easy_angle;
+    double shortest, longest, ds_min, ds_max, step_growth, step_shrink, min_tangent_cosine, easy_tangent_cosine;
     double tolerance, short_correction, correction_ratio, contraction, sharp, sideways, telling;
     double on_curve, bulge;
     const Kernel *const *jacobian_along, *const *residual;
@@ -82,14 +81,10 @@ void solve_factorised(const double* a, const casadi_int* pivot, double* b, casad
 
 /* ---- branches ---- */
 
-/* What a branch waits for. */
-enum Stage { PREDICTED, CORRECTED, TURNED };
-
 struct Head {
     casadi_int next; /* that waits for the same kernel */
     casadi_int level, corrections, tries;
-    Stage stage;
-    bool easy;
+    bool easy, held; /* the latter: the point is on the branch, and its tangent is waited for */
     double length, size, cosine;
     double *y, *across, *turned, *matrix;
     casadi_int* pivot;
@@ -106,8 +101,7 @@ public:
         pivots = (casadi_int*) malloc((size_t) ((n + 1) * m) * sizeof(casadi_int));
         first = (casadi_int*) malloc((size_t) queues * sizeof(casadi_int));
         waiting = (casadi_int*) calloc((size_t) queues, sizeof(casadi_int));
-        calls = (Call**) calloc((size_t) queues, sizeof(Call*));
-        ready = heads && data && pivots && first && waiting && calls;
+        ready = heads && data && pivots && first && waiting;
         for (casadi_int i = 0; ready && i < n; i++) {
             Head& head = heads[i];
             head.tries = 0;
@@ -117,17 +111,12 @@ public:
             head.matrix = head.turned + m;
             head.pivot = pivots + i * m;
         }
-        rest = data + n * own;
+        scratch = data + n * own;
     }
 
     ~Arcs()
     {
-        for (casadi_int q = 0; calls && q < queues; q++)
-            if (calls[q]) {
-                calls[q]->~Call();
-                free(calls[q]);
-            }
-        free(heads); free(data); free(pivots); free(first); free(waiting); free(calls);
+        free(heads); free(data); free(pivots); free(first); free(waiting);
     }
 
     /* Returns as lockstep_map. */
@@ -150,24 +139,21 @@ private:
     const Fronts& f;
     const casadi_int n, m, tries, queues;
     Head* heads;
-    double *data, *rest; /* the latter, of size m (m + 3), for passing use */
+    double *data, *scratch; /* the latter of size m (m + 3) */
     casadi_int *pivots, *first, *waiting;
-    Call** calls;
     bool ready;
+
+    Arcs(const Arcs&);
+    Arcs& operator=(const Arcs&);
 
     /* Evaluate the kernel of a queue for up to `LANES` that wait in it, and go on with each. */
     int serve(casadi_int q)
     {
         const casadi_int nu = c.n_unknowns, level = q / 2;
         const bool along = q % 2 == 0;
-        if (!calls[q]) {
-            const casadi_int in_size[] = {nu, c.n_params, c.n_params}, out_size[] = {nu * nu, nu, nu};
-            void* const room = malloc(sizeof(Call));
-            if (!room) return 1;
-            calls[q] = along ? new (room) Call(c.jacobian_along[level], 3, in_size, 3, out_size)
-                             : new (room) Call(c.residual[level], 2, in_size, 1, out_size + 1);
-        }
-        Call& call = *calls[q];
+        const casadi_int in_size[] = {nu, c.n_params, c.n_params}, out_size[] = {nu * nu, nu, nu};
+        Call call(along ? c.jacobian_along[level] : c.residual[level], along ? 3 : 2, in_size, along ? 3 : 1,
+            along ? out_size : out_size + 1);
         if (!call.ready) return 1;
         casadi_int served[LANES];
         int used = 0;
@@ -225,7 +211,7 @@ private:
         double phase = mode * fabs(head.y[m - 2]);
         if (!(phase < INFINITY)) phase = 0; /* no resolution helps */
         for (head.level = 0; head.level < c.n_levels - 1 && c.largest_phase[head.level] < phase;) head.level++;
-        head.stage = PREDICTED;
+        head.held = false;
         wait(i, true);
     }
 
@@ -243,7 +229,7 @@ private:
         for (casadi_int k = 0; k < m; k++) matrix[nu * m + k] = head.across[k];
         factorise(matrix, head.pivot, m);
         const double size = correct(head, call.out[2], lane);
-        if (head.stage == TURNED) {
+        if (head.held) {
             finish(i, true);
             return;
         }
@@ -254,10 +240,8 @@ private:
         else if (size < allowed(head)) {
             head.easy = true;
             hold(i);
-        } else if (c.max_corrections > 0) {
-            head.stage = CORRECTED;
-            wait(i, false);
-        } else finish(i, false);
+        } else if (c.max_corrections > 0) wait(i, false);
+        else finish(i, false);
     }
 
     void corrected(casadi_int i, const Lanes* residual, int lane)
@@ -278,7 +262,7 @@ private:
     void hold(casadi_int i)
     {
         if (heads[i].cosine < c.sharp) {
-            heads[i].stage = TURNED;
+            heads[i].held = true;
             wait(i, true);
         } else finish(i, true);
     }
@@ -289,7 +273,7 @@ private:
     /* The unit tangent, on the side of another one. */
     void turn(Head& head, const double* ahead)
     {
-        double* const matrix = rest;
+        double* const matrix = scratch;
         for (casadi_int k = 0; k < (m - 1) * m; k++) matrix[k] = head.matrix[k];
         for (casadi_int k = 0; k < m; k++) {
             matrix[(m - 1) * m + k] = ahead[k] / (c.scale[k] * c.scale[k]);
@@ -304,7 +288,7 @@ private:
     /* Newton's correction of the point with the factorised derivative; its length. */
     double correct(Head& head, const Lanes* residual, int lane)
     {
-        double* const change = rest;
+        double* const change = scratch;
         for (casadi_int k = 0; k < m - 1; k++) change[k] = -residual[k].v[lane];
         change[m - 1] = 0;
         solve_factorised(head.matrix, head.pivot, change, m);
@@ -315,7 +299,7 @@ private:
     /* How far sideways an arclength step leads, in terms of the mean of the tangents at its ends. */
     double led_sideways(const Head& head, const double* x, const double* tangent)
     {
-        double *const way = rest, *const mean = rest + m;
+        double *const way = scratch, *const mean = scratch + m;
         for (casadi_int k = 0; k < m; k++) {
             way[k] = head.y[k] - x[k];
             mean[k] = tangent[k] + head.turned[k];
@@ -352,7 +336,7 @@ private:
         for (casadi_int k = 0; k < m; k++) along[k] = tangent[k];
         f.passed[i]++;
         f.idle[i] += f.ds[i];
-        const double wanted = c.easy_angle / acos(fmin(head.cosine, 1));
+        const double wanted = sqrt((1 - c.easy_tangent_cosine) / fmax(1 - head.cosine, 0));
         const double factor = fmin(fmax(wanted, c.step_shrink), head.easy ? c.step_growth : 1);
         f.ds[i] = ended || stopped ? 0 : fmin(factor * f.ds[i], c.ds_max);
         go_on(i);
@@ -360,7 +344,7 @@ private:
 
     double distance(const double* a, const double* b)
     {
-        double* const between = rest;
+        double* const between = scratch;
         for (casadi_int k = 0; k < m; k++) between[k] = a[k] - b[k];
         return size_of(between, c.scale, m);
     }
@@ -417,6 +401,9 @@ private:
 };
 
 } /* namespace */
+
+/* The sizes of both structures, for who fills them to compare. */
+extern "C" casadi_int lockstep_arcs_size(int fronts) { return fronts ? sizeof(Fronts) : sizeof(Course); }
 
 /* Up to `tries` arclength steps of each of n branches. Returns as lockstep_map. */
 extern "C" int lockstep_arcs(const Course* course, const Fronts* fronts, casadi_int n, casadi_int tries)

@@ -178,7 +178,7 @@ class Arcs:
             heads, good, behind = self._advanced(heads)
             passed.append(heads.take(good).points)
             met.append(behind)
-        return Round(heads, Points.concatenate(passed), np.concatenate(met))
+        return Round(self.going(heads), Points.concatenate(passed), np.concatenate(met))
 
     def _advanced(self, heads: Heads) -> tuple[Heads, Mask, Index]:
         """Heads an arclength step later, which of them got on, and beginnings met from behind."""
@@ -251,8 +251,9 @@ class Arcs:
             new[sharp] = self._refined(at[sharp], y, across, tangent, n_rk, sharp)
         with np.errstate(invalid="ignore", divide="ignore"):
             good &= (self._sideways(x, y, tangent, new) < SIDEWAYS) | (length < TELLING)
-            wanted = np.arccos(options.easy_tangent_cosine) / np.arccos(np.minimum(cosine, 1.0))
-        factor = np.clip(wanted, options.step_shrink, np.where(easy, options.step_growth, 1.0))
+            # The ratio of small angles, without a function that rounds otherwise elsewhere.
+            wanted = np.sqrt((1 - options.easy_tangent_cosine) / np.maximum(1 - cosine, 0.0))
+        factor = np.fmin(np.fmax(wanted, options.step_shrink), np.where(easy, options.step_growth, 1.0))
         return y, new, good, np.where(good, factor, options.step_shrink)
 
     def _sideways(self, x: Array, y: Array, tangent: Array, new: Array) -> Array:

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 
 from stridemap.solver.backends.base import Kernels, Lockstep
 from stridemap.solver.backends.shared_library import check
-from stridemap.solver.branches import arcs, stops
+from stridemap.solver.branches import arcs
 from stridemap.solver.branches.arcs import Arcs, Lines, Round
 from stridemap.solver.branches.heads import Heads, Points
-from stridemap.solver.branches.stops import Stops
+from stridemap.solver.branches.stops import BULGE, ON_CURVE, Stops
 from stridemap.solver.kernels.catalogue import jacobian_along, residual
 from stridemap.solver.kernels.resolution import BRANCH_N_RK, BRANCH_PHASE
 from stridemap.solver.options import ContinuationOptions
@@ -35,7 +35,7 @@ def prepared(kernels: Kernels) -> Lockstep | None:
     CompilerError
         When the compiler fails.
     """
-    return kernels.lockstep(DRIVER.read_text(encoding="utf-8"))
+    return kernels.lockstep(DRIVER)
 
 
 def arcs_for(
@@ -51,13 +51,16 @@ def arcs_for(
     return Arcs(*what) if lockstep is None else _ArcsInLanes(*what, lockstep)
 
 
-_OPTIONS = ("ds_min", "ds_max", "step_growth", "step_shrink", "min_tangent_cosine")
+_OPTIONS = (
+    *("ds_min", "ds_max", "step_growth", "step_shrink"),
+    *("min_tangent_cosine", "easy_tangent_cosine"),
+)
 _INTEGERS = (
     *("n_unknowns", "n_params", "n_levels", "n_modes", "n_stops", "n_beginnings"),
     *("max_steps", "max_corrections"),
 )
 _NUMBERS = (
-    *("shortest", "longest", *_OPTIONS, "easy_angle"),
+    *("shortest", "longest", *_OPTIONS),
     *("tolerance", "short_correction", "correction_ratio", "contraction", "sharp", "sideways", "telling"),
     *("on_curve", "bulge"),
 )
@@ -69,6 +72,9 @@ _FRONTS = (
     *("branch", "x", "tangent", "bend", "ds", "idle", "steps", "passed"),
     *("points", "tangents", "met_from_behind"),
 )
+
+
+_CHANGING = ("x", "tangent", "bend", "ds", "idle")
 
 
 class _Course(ctypes.Structure):
@@ -85,6 +91,11 @@ class _Fronts(ctypes.Structure):
     """What arcs.h calls by this name."""
 
     _fields_ = tuple((name, ctypes.c_void_p) for name in _FRONTS)
+
+
+def _in_memory(arrays: dict[str, NDArray[Any]], dtype: type) -> dict[str, NDArray[Any]]:
+    """Copies, or the arrays themselves, as the C++ reads them."""
+    return {name: np.ascontiguousarray(array, dtype=dtype) for name, array in arrays.items()}
 
 
 def _addresses(arrays: dict[str, NDArray[Any]]) -> dict[str, int]:
@@ -105,14 +116,11 @@ class _ArcsInLanes(Arcs):
             name: np.array([self.lockstep.address(kind(n)) for n in BRANCH_N_RK], dtype=np.uintp)
             for name, kind in (("jacobian_along", jacobian_along), ("residual", residual))
         }
-        given = {name: getattr(lines, name) for name in ("scale", "params", "direction", "modes")}
-        given |= {"line": lines.number, "beginning": self.beginnings}
-        given |= {"stop_key": self.stops.key, "stop": self.stops.x, "stop_number": self.stops.number}
-        phases = np.array(BRANCH_N_RK) * BRANCH_PHASE
-        return {name: np.ascontiguousarray(array) for name, array in given.items()} | {
-            **kernels,
-            "largest_phase": phases,
-        }
+        numbers = {name: getattr(lines, name) for name in ("scale", "params", "direction", "modes")}
+        numbers |= {"stop_key": self.stops.key, "stop": self.stops.x, "beginning": self.beginnings}
+        numbers["largest_phase"] = np.array(BRANCH_N_RK) * BRANCH_PHASE
+        integers = {"line": lines.number, "stop_number": self.stops.number}
+        return kernels | _in_memory(numbers, np.float64) | _in_memory(integers, np.int64)
 
     @cached_property
     def _course(self) -> _Course:
@@ -129,7 +137,6 @@ class _ArcsInLanes(Arcs):
             shortest=self.period_range[0],
             longest=self.period_range[1],
             **{name: getattr(options, name) for name in _OPTIONS},
-            easy_angle=np.arccos(options.easy_tangent_cosine),
             tolerance=arcs.TOLERANCE,
             short_correction=arcs.SHORT,
             correction_ratio=arcs.CORRECTION_RATIO,
@@ -137,29 +144,28 @@ class _ArcsInLanes(Arcs):
             sharp=arcs.SHARP,
             sideways=arcs.SIDEWAYS,
             telling=arcs.TELLING,
-            on_curve=stops.ON_CURVE,
-            bulge=stops.SIDEWAYS,
+            on_curve=ON_CURVE,
+            bulge=BULGE,
             **_addresses(self._arrays),
         )
 
     def taken(self, heads: Heads, tries: int) -> Round:
         """Up to so many arclength steps of each branch, failed ones included."""
         n, width = heads.x.shape
-        changing = ("x", "tangent", "bend", "ds", "idle", "steps")
-        new = {name: np.array(getattr(heads, name), order="C") for name in changing}
+        new = {name: np.array(getattr(heads, name), np.float64, order="C") for name in _CHANGING}
+        steps, branch = np.array(heads.steps, np.int64), np.ascontiguousarray(heads.branch, np.int64)
         passed, met = np.zeros(n, dtype=np.int64), np.zeros(len(self.beginnings), dtype=np.uint8)
         points, tangents = np.empty((n, tries, width)), np.empty((n, tries, width))
-        branch = np.ascontiguousarray(heads.branch)
-        arrays = {"branch": branch, **new, "passed": passed, "points": points, "tangents": tangents}
-        fronts = _Fronts(**_addresses(arrays | {"met_from_behind": met}))
+        arrays = {"branch": branch, **new, "steps": steps, "passed": passed, "points": points}
+        fronts = _Fronts(**_addresses(arrays | {"tangents": tangents, "met_from_behind": met}))
         status = self.lockstep.library.lockstep_arcs(
             ctypes.byref(self._course), ctypes.byref(fronts), ctypes.c_longlong(n), ctypes.c_longlong(tries)
         )
-        check(status, jacobian_along(BRANCH_N_RK[0]))
+        check(status, "arclength steps")
         kept = np.arange(tries) < passed[:, None]
         row = np.repeat(np.arange(n), passed)
         return Round(
-            Heads(heads.branch, heads.ahead, **new),
+            self.going(Heads(heads.branch, heads.ahead, **new, steps=steps)),
             Points(heads.branch[row], heads.ahead[row], points[kept], tangents[kept]),
             np.flatnonzero(met),
         )

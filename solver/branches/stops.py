@@ -11,7 +11,7 @@ Index = NDArray[np.int64]
 ON_CURVE = 0.004
 """Distance from the cubic between two points, in terms of theirs, at which a point is on the curve."""
 
-SIDEWAYS = 0.5
+BULGE = 0.5
 """How far beyond two points their branch may bulge, in terms of their distance."""
 
 
@@ -56,7 +56,7 @@ class Stops:
 
     def _between(self, line: Index, x: Array, y: Array, tangent: Array, new: Array) -> tuple[Index, Index]:
         length = np.sqrt((((y - x) / self.scale) ** 2).sum(axis=1))
-        reach = SIDEWAYS * length * self.scale[-1]
+        reach = BULGE * length * self.scale[-1]
         low, high = np.minimum(x[:, -1], y[:, -1]) - reach, np.maximum(x[:, -1], y[:, -1]) + reach
         first = np.searchsorted(self.key, _key(line, low), "left")
         count = np.maximum(np.searchsorted(self.key, _key(line, high), "right") - first, 0)

@@ -195,7 +195,7 @@ class Solver:
         # Targets on both sides of a solution, or at several distances, ask for the same derivative.
         way = target - params
         far = np.take_along_axis(way, np.abs(way).argmax(axis=1)[:, None], axis=1)
-        way = np.divide(way, far, out=np.zeros_like(way), where=far != 0)
+        way = np.divide(way, far, out=np.zeros(way.shape), where=far != 0)
         one, same = _distinct_rows(np.hstack([u, params, way]))
         n_rk = self.resolution.branch_n_rk(u[one, -1], self.resolution.fastest_mode(params[one]))
         jacobian, slope, _ = self.kernels.jacobian_along(n_rk, u[one], params[one], way[one])

@@ -149,8 +149,8 @@ def brackets(trace: Trace, name: str) -> Brackets:
 
     # Signs leave few intervals, which are looked at more closely.
     parts = []
-    turn = ~change & (below[:, :-1] != falls[:, :-1]) & (below[:, 1:] == falls[:, 1:])
-    orbit, node = np.nonzero(turn)
+    may_turn = ~change & (below[:, :-1] != falls[:, :-1]) & (below[:, 1:] == falls[:, 1:])
+    orbit, node = np.nonzero(may_turn)
     left, right, s_left, s_right = _ends(g, dg, orbit, node)
     turn = (left * s_left < 0) & (right * s_right > 0)
     if turn.any():
@@ -158,8 +158,9 @@ def brackets(trace: Trace, name: str) -> Brackets:
         h = trace.h[orbit]
         tau = _turning_point(left[turn], right[turn], s_left[turn], s_right[turn], h)
         parts.append(_split(trace, row, False, orbit, node, np.stack([0 * h, tau, h], axis=1)))
-    # There and back again: the interpolant rises, falls and rises, or falls, rises and falls. It ends lower
-    # than it began, or higher, or else its control points are within 2/3 of the slope times the interval.
+    # There and back again: the interpolant rises, falls and rises, or falls, rises and falls. Where it does
+    # not end lower than its slopes say, or higher, it rises little, and so its control points are no farther
+    # from its beginning than 2/3 of the largest slope times the interval: it begins near zero, if it crosses.
     reach = trace.h * np.abs(dg).max(axis=1)
     back = (np.diff(g, axis=1) < 0) != falls[:, :-1]
     back |= ~(np.abs(g[:, :-1]) > reach[:, None])
