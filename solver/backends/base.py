@@ -179,7 +179,8 @@ class Kernels(ABC):
     def lockstep(self, driver: Path) -> Lockstep | None:
         """An algorithm around the kernels that works on several points at a time; None where none can.
 
-        It is compiled when it is first asked for.
+        It is compiled when it is first asked for. A backend that wraps another one must hand on the other's:
+        where there is none, NumPy does the same, with other last digits.
 
         Parameters
         ----------

@@ -95,27 +95,36 @@ double norm(const double* x, const double* scale, casadi_int n)
     return largest;
 }
 
-/* Solve a x = b for x in the place of b, by elimination with row interchanges; a is stored by columns. */
-void solve(double* a, double* b, casadi_int n)
+/* Triangular factors of a matrix in its place, with row interchanges; it is stored by columns. */
+void factorise(double* a, casadi_int* pivot, casadi_int n)
 {
     for (casadi_int c = 0; c < n; c++) {
-        casadi_int pivot = c;
+        casadi_int largest = c;
         for (casadi_int r = c + 1; r < n; r++)
-            if (fabs(a[r + c * n]) > fabs(a[pivot + c * n])) pivot = r;
-        for (casadi_int k = c; k < n; k++) {
+            if (fabs(a[r + c * n]) > fabs(a[largest + c * n])) largest = r;
+        pivot[c] = largest;
+        for (casadi_int k = 0; k < n; k++) {
             const double t = a[c + k * n];
-            a[c + k * n] = a[pivot + k * n];
-            a[pivot + k * n] = t;
+            a[c + k * n] = a[largest + k * n];
+            a[largest + k * n] = t;
         }
-        const double t = b[c];
-        b[c] = b[pivot];
-        b[pivot] = t;
         for (casadi_int r = c + 1; r < n; r++) {
-            const double factor = a[r + c * n] / a[c + c * n];
+            const double factor = a[r + c * n] /= a[c + c * n];
             for (casadi_int k = c + 1; k < n; k++) a[r + k * n] -= factor * a[c + k * n];
-            b[r] -= factor * b[c];
         }
     }
+}
+
+/* The solution for a right-hand side, in its place. */
+void solve_factorised(const double* a, const casadi_int* pivot, double* b, casadi_int n)
+{
+    for (casadi_int c = 0; c < n; c++) {
+        const double t = b[c];
+        b[c] = b[pivot[c]];
+        b[pivot[c]] = t;
+    }
+    for (casadi_int c = 0; c < n; c++)
+        for (casadi_int r = c + 1; r < n; r++) b[r] -= a[r + c * n] * b[c];
     for (casadi_int r = n - 1; r >= 0; r--) {
         for (casadi_int k = r + 1; k < n; k++) b[r] -= a[r + k * n] * b[k];
         b[r] /= a[r + r * n];
@@ -169,8 +178,9 @@ extern "C" int lockstep_newton(const Kernel* jacobian, const Kernel* residual, c
     Call value(residual ? residual : jacobian, 2, in_size, residual ? 1 : 2, residual ? out_size + 1 : out_size);
     double* const work = (double*) malloc((size_t) (nu * nu + nu) * sizeof(double));
     double *const a = work, *const r = work + nu * nu;
+    casadi_int* const pivot = (casadi_int*) malloc((size_t) nu * sizeof(casadi_int));
     casadi_int point[LANES], next = 0;
-    int turn[LANES], status = derivative.ready && value.ready && work ? 0 : 1;
+    int turn[LANES], status = derivative.ready && value.ready && work && pivot ? 0 : 1;
 
     if (status) n = 0;
     for (int lane = 0; lane < LANES && n > 0; lane++) {
@@ -195,7 +205,8 @@ extern "C" int lockstep_newton(const Kernel* jacobian, const Kernel* residual, c
             int done = !(norm(r, rows, nu) > abstol);
             if (!done) {
                 get(derivative.out[0], lane, nu * nu, a);
-                solve(a, r, nu);
+                factorise(a, pivot, nu);
+                solve_factorised(a, pivot, r, nu);
                 for (casadi_int k = 0; k < nu; k++) mine[k] -= r[k];
                 done = !(norm(r, unknowns, nu) > abstol_step) || ++turn[lane] == iterations;
             }
@@ -209,5 +220,6 @@ extern "C" int lockstep_newton(const Kernel* jacobian, const Kernel* residual, c
         }
     }
     free(work);
+    free(pivot);
     return status;
 }

@@ -170,7 +170,14 @@ class Arcs:
         return heads.take((heads.ds >= self.options.ds_min) & (heads.steps < self.options.max_steps))
 
     def taken(self, heads: Heads, tries: int) -> Round:
-        """Up to so many arclength steps of each branch, failed ones included."""
+        """Take arclength steps.
+
+        Parameters
+        ----------
+        heads : Heads
+        tries : int
+            How many of each branch at most, failed ones included.
+        """
         passed, met = [heads.take(np.arange(0)).points], [np.empty(0, dtype=np.int64)]
         for _ in range(tries):
             heads = self.going(heads)

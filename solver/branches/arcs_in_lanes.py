@@ -51,10 +51,7 @@ def arcs_for(
     return Arcs(*what) if lockstep is None else _ArcsInLanes(*what, lockstep)
 
 
-_OPTIONS = (
-    *("ds_min", "ds_max", "step_growth", "step_shrink"),
-    *("min_tangent_cosine", "easy_tangent_cosine"),
-)
+_OPTIONS = ("ds_min", "ds_max", "step_growth", "step_shrink", "min_tangent_cosine", "easy_tangent_cosine")
 _INTEGERS = (
     *("n_unknowns", "n_params", "n_levels", "n_modes", "n_stops", "n_beginnings"),
     *("max_steps", "max_corrections"),
@@ -68,12 +65,10 @@ _ARRAYS = (
     *("jacobian_along", "residual", "largest_phase", "scale", "params", "direction", "modes"),
     *("stop_key", "stop", "beginning", "line", "stop_number"),
 )
-_FRONTS = (
+_HEADS = (
     *("branch", "x", "tangent", "bend", "ds", "idle", "steps", "passed"),
     *("points", "tangents", "met_from_behind"),
 )
-
-
 _CHANGING = ("x", "tangent", "bend", "ds", "idle")
 
 
@@ -87,10 +82,10 @@ class _Course(ctypes.Structure):
     )
 
 
-class _Fronts(ctypes.Structure):
+class _Heads(ctypes.Structure):
     """What arcs.h calls by this name."""
 
-    _fields_ = tuple((name, ctypes.c_void_p) for name in _FRONTS)
+    _fields_ = tuple((name, ctypes.c_void_p) for name in _HEADS)
 
 
 def _in_memory(arrays: dict[str, NDArray[Any]], dtype: type) -> dict[str, NDArray[Any]]:
@@ -157,9 +152,9 @@ class _ArcsInLanes(Arcs):
         passed, met = np.zeros(n, dtype=np.int64), np.zeros(len(self.beginnings), dtype=np.uint8)
         points, tangents = np.empty((n, tries, width)), np.empty((n, tries, width))
         arrays = {"branch": branch, **new, "steps": steps, "passed": passed, "points": points}
-        fronts = _Fronts(**_addresses(arrays | {"tangents": tangents, "met_from_behind": met}))
+        pointers = _Heads(**_addresses(arrays | {"tangents": tangents, "met_from_behind": met}))
         status = self.lockstep.library.lockstep_arcs(
-            ctypes.byref(self._course), ctypes.byref(fronts), ctypes.c_longlong(n), ctypes.c_longlong(tries)
+            ctypes.byref(self._course), ctypes.byref(pointers), ctypes.c_longlong(n), ctypes.c_longlong(tries)
         )
         check(status, "arclength steps")
         kept = np.arange(tries) < passed[:, None]

@@ -158,9 +158,9 @@ def brackets(trace: Trace, name: str) -> Brackets:
         h = trace.h[orbit]
         tau = _turning_point(left[turn], right[turn], s_left[turn], s_right[turn], h)
         parts.append(_split(trace, row, False, orbit, node, np.stack([0 * h, tau, h], axis=1)))
-    # There and back again: the interpolant rises, falls and rises, or falls, rises and falls. Where it does
-    # not end lower than its slopes say, or higher, it rises little, and so its control points are no farther
-    # from its beginning than 2/3 of the largest slope times the interval: it begins near zero, if it crosses.
+    # There and back again: the interpolant rises, falls and rises, or falls, rises and falls. Either
+    # it ends on the other side of its beginning than its slopes lead to, or both are so near each other that
+    # it stays within 2/3 of the largest slope times the interval of its beginning: near zero, if it crosses.
     reach = trace.h * np.abs(dg).max(axis=1)
     back = (np.diff(g, axis=1) < 0) != falls[:, :-1]
     back |= ~(np.abs(g[:, :-1]) > reach[:, None])

@@ -151,8 +151,8 @@ KERNELS = (
     ),
     Mutation(
         "solver/backends/lockstep.h",
-        "fabs(a[r + c * n]) > fabs(a[pivot + c * n])",
-        "fabs(a[r + c * n]) < fabs(a[pivot + c * n])",
+        "fabs(a[r + c * n]) > fabs(a[largest + c * n])",
+        "fabs(a[r + c * n]) < fabs(a[largest + c * n])",
         "elimination takes the smallest pivots",
         (LOCKSTEP,),
     ),

@@ -44,6 +44,12 @@ extern "C" long long newton(long long n, double* u, const double* p, const doubl
 }
 
 extern "C" int lanes() { return LANES; }
+
+extern "C" void solved(double* a, double* b, long long* pivot, long long n)
+{
+    factorise(a, pivot, n);
+    solve_factorised(a, pivot, b, n);
+}
 """
 
 
@@ -110,3 +116,16 @@ def test_what_is_small_is_small_in_terms_of_the_scales(library):
     assert (u[0, 0], calls) == (near, 1)
     u, calls = newton(library, [[near, 3.0]], [[2.0]])
     assert u[0, 0] == pytest.approx(np.sqrt(2), abs=3e-16)
+
+
+@pytest.mark.parametrize("first", [0.0, 1e-17, 1.0])
+def test_systems_are_solved_with_interchanged_rows(library, first):
+    """Without that a zero in the first place would make everything infinite, and a small number inexact."""
+    rng = np.random.default_rng(0)
+    for n in (2, 3, 7):
+        a, x, pivot = rng.normal(size=(n, n)), rng.normal(size=n), np.zeros(n, dtype=np.int64)
+        a[0, 0] = first
+        exact, columns = np.linalg.solve(a, x), a.T.copy()
+        places = (ctypes.c_void_p(one.ctypes.data) for one in (columns, x, pivot))
+        library.solved(*places, ctypes.c_longlong(n))
+        np.testing.assert_allclose(x, exact, rtol=1e-10)
