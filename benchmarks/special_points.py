@@ -17,7 +17,8 @@ import stridemap
 from stridemap.solver.branches.arclength import CurvePoint, advanced
 from stridemap.solver.branches.branches import Branches, SpecialPoint
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
-from stridemap.solver.branches.special import SpecialType, tests, unstable_count
+from stridemap.solver.branches.defining import SpecialType
+from stridemap.solver.branches.special import tests, unstable_count
 from stridemap.solver.branches.survey import Branch
 from stridemap.solver.model.loading import available, load
 from stridemap.solver.model.model import Model

@@ -6,7 +6,7 @@ as on a branch over one parameter.
 """
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,11 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint
+from stridemap.solver.branches.asking import Asking, together
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.cubics import cubics, value
-from stridemap.solver.branches.curve import Curve
-from stridemap.solver.branches.ends import End, Search, conditions_along, searches, together
-from stridemap.solver.branches.special import CHANGES, Special, SpecialType, special_points, tests
+from stridemap.solver.branches.curve import Correction, Curve
+from stridemap.solver.branches.defining import Special, SpecialType
+from stridemap.solver.branches.ends import End, Search, conditions_along, searches
+from stridemap.solver.branches.special import CHANGES, specials_between, tests
 from stridemap.solver.branches.switching import doubled, supercritical
 from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
@@ -97,7 +99,6 @@ class Locator:
         points, held = self._solved(stretches, sides_of_guesses(stretches, self.conditions))
         out: dict[int, list[SpecialPoint]] = {}
         pieces: dict[int, _Piece] = {}
-        met: dict[int, list[_Met]] = defaultdict(list)  # by line: stretches often share a part of a branch
         for number in sorted(i for i in points if i + 1 in points and stretches.joined[i]):
             one, other = points[number], points[number + 1]
             if one is None or other is None:
@@ -106,28 +107,49 @@ class Locator:
             piece = self._piece(stretches, number, one, other, held)
             if changes.changes(piece.side[None], piece.other_side[None])[0]:
                 pieces[number] = piece
-                piece.bifurcate(met[int(stretches.cell[number])])
-        self._find_ends([(int(stretches.cell[number]), piece) for number, piece in pieces.items()])
+        lines = [(int(stretches.cell[number]), piece) for number, piece in pieces.items()]
+        self._find_bifurcations(lines)
+        self._find_ends(lines)
         for number, piece in pieces.items():
             out[number] = piece.rows(int(stretches.cell[number]), int(stretches.branch[number]))
         return [point for number in sorted(out) for point in out[number]]
 
+    def _find_bifurcations(self, waiting: list[tuple[int, "_Piece"]]) -> None:
+        """Locate bifurcations on pieces of lines."""
+        met: dict[int, list[Special]] = defaultdict(list)
+        located: list[tuple[_Piece, Special]] = []
+
+        def due(line: int, piece: "_Piece") -> bool:
+            return piece.has_bifurcations() and not piece.bifurcations_are_among(met[line])
+
+        for now in _in_turn(waiting, due):
+            for (line, piece), found in zip(now, together(one.bifurcations() for _, one in now), strict=True):
+                met[line] += found
+                located += ((piece, special) for special in found)
+        if not located:
+            return
+        params = np.array([piece.curve.equations.point(special.x[-1:]) for piece, special in located])
+        n_rk = [min(2 * max(piece.one.n_rk, piece.other.n_rk), 2 * CYCLE_N_RK[-1]) for piece, _ in located]
+        u = np.array([special.x[:-1] for _, special in located])
+        holds = self.conditions.of_cycles(n_rk, u, params, 1)
+        of_cycles, contact = cycles(holds), holds[GaitEnd.CONTACT] > 0
+        located = [one for one, cycle in zip(located, of_cycles.tolist(), strict=True) if cycle]
+        kinds = together(piece.criticality(special) for piece, special in located)
+        for (piece, special), kind, gait in zip(located, kinds, contact[of_cycles].tolist(), strict=True):
+            piece.enter(special, kind, gait)
+
     def _find_ends(self, waiting: list[tuple[int, "_Piece"]]) -> None:
-        """Locate ends on pieces of lines, many at a time; of pieces that may share one, one comes first."""
+        """Locate ends on pieces of lines."""
         met: dict[int, list[_MetEnd]] = defaultdict(list)
-        while waiting:
-            now: list[tuple[int, _Piece]] = []
-            later: list[tuple[int, _Piece]] = []
-            for line, piece in waiting:
-                if not piece.has_ends() or piece.ends_are_among(met[line]):
-                    continue
-                shared = any(line == other and piece.is_near(one) for other, one in now)
-                (later if shared else now).append((line, piece))
+
+        def due(line: int, piece: "_Piece") -> bool:
+            return piece.has_ends() and not piece.ends_are_among(met[line])
+
+        for now in _in_turn(waiting, due):
             found = [(line, piece, search) for line, piece in now for search in piece.end_searches()]
-            ends = together([search for _, _, search in found], self.conditions)
+            ends = together(search for _, _, search in found)
             for (line, piece, _), end in zip(found, ends, strict=True):
                 met[line] += piece.take_end(end)
-            waiting = later
 
     def _not_solved(self, stretches: Stretches, i: int) -> SpecialPoint:
         """That something happens between two points of a branch of which one was not solved for."""
@@ -165,10 +187,7 @@ class Locator:
         points: dict[int, CurvePoint | None] = {}
         held: dict[int, dict[GaitEnd, float]] = {}
         while new := sorted({i for piece in pieces for i in (piece, piece + 1)} - points.keys()):
-            n_rk = Resolution(self.conditions.kernels.model).cycle_n_rk(
-                stretches.u[new, -1], stretches.params[new]
-            )
-            points |= {i: self._point(stretches, i, n) for i, n in zip(new, n_rk.tolist(), strict=True)}
+            points |= self._points(stretches, new)
             held |= self._held([(i, point) for i in new if (point := points[i]) is not None], stretches)
             for i in new:
                 point = points[i]
@@ -178,13 +197,21 @@ class Locator:
                     }
         return points, held
 
-    def _point(self, stretches: Stretches, i: int, n_rk: int) -> CurvePoint | None:
-        """The point of the branch for which a guess stands; None where Newton's method does not find it."""
-        curve = self._curve(stretches.params[i])
-        x = np.append(stretches.u[i], stretches.params[i, curve.equations.columns[0]])
-        tangent = stretches.tangent[i] / curve.norm(stretches.tangent[i])
-        found = curve.corrected(x, tangent, n_rk, CORRECTIONS)
-        return CurvePoint.at(curve, found, tangent, n_rk) if found.converged else None
+    def _points(self, stretches: Stretches, numbers: list[int]) -> dict[int, CurvePoint | None]:
+        """The points of branches for which guesses stand; None where Newton's method does not find one."""
+        resolution = Resolution(self.conditions.kernels.model)
+        n_rk = resolution.cycle_n_rk(stretches.u[numbers, -1], stretches.params[numbers]).tolist()
+        asked = []
+        for i, n in zip(numbers, n_rk, strict=True):
+            curve = self._curve(stretches.params[i])
+            x = np.append(stretches.u[i], stretches.params[i, curve.equations.columns[0]])
+            tangent = stretches.tangent[i] / curve.norm(stretches.tangent[i])
+            asked.append(Correction(curve, x, tangent, n, CORRECTIONS))
+        found = zip(numbers, asked, Correction.answers(asked), strict=True)
+        return {
+            i: CurvePoint.at(one.curve, there, one.across, one.n_rk) if there.converged else None
+            for i, one, there in found
+        }
 
     def _held(
         self, points: list[tuple[int, CurvePoint]], stretches: Stretches
@@ -207,21 +234,19 @@ class Locator:
         return np.asarray(sides(point.tangent[-1:], jacobian, multipliers, holds)[0])
 
 
-@dataclass(frozen=True)
-class _Met:
-    """A bifurcation that was located.
-
-    Parameters
-    ----------
-    type : SpecialType
-    x : ndarray, shape (nz + 2,)
-    slope : float
-        That of a fold says to which side of it there are cycles.
-    """
-
-    type: SpecialType
-    x: Floats
-    slope: float
+def _in_turn(
+    waiting: list[tuple[int, "_Piece"]], due: Callable[[int, "_Piece"], bool]
+) -> Iterator[list[tuple[int, "_Piece"]]]:
+    """Pieces of lines on which something is due, many at a time; of those that may share it, one is first."""
+    while waiting:
+        now: list[tuple[int, _Piece]] = []
+        later: list[tuple[int, _Piece]] = []
+        for line, piece in waiting:
+            if due(line, piece):
+                shared = any(line == other and piece.is_near(one) for other, one in now)
+                (later if shared else now).append((line, piece))
+        yield now
+        waiting = later
 
 
 @dataclass(frozen=True)
@@ -252,28 +277,29 @@ class _Piece:
         self._found: list[tuple[float, str, Floats, dict[str, Any]]] = []
         self._lost: list[str] = []
 
-    def bifurcate(self, met: list[_Met]) -> None:
-        """Locate bifurcations, and enter them, but for those that were met on another stretch."""
-        if not self.differ[[changes.FOLD, changes.BP, changes.UNSTABLE]].any() or self._is_explained_by(met):
-            return
-        options = ContinuationOptions()
-        specials = [s for _, s in special_points(self.curve, [self.one, self.other], options)]
-        self._lost += self._missing({special.type for special in specials})
-        met += [_Met(special.type, special.x, special.slope) for special in specials]
-        self._found += [row for special in specials for row in self._bifurcation(special, options)]
+    def has_bifurcations(self) -> bool:
+        """Whether the branch turns back, crosses another one, or has other multipliers outside the circle."""
+        return bool(self.differ[[changes.FOLD, changes.BP, changes.UNSTABLE]].any())
+
+    def bifurcations(self) -> Asking[list[Special]]:
+        """A search for them."""
+        found = yield from specials_between(self.curve, self.one, self.other, ContinuationOptions())
+        self._lost += self._missing({special.type for special in found})
+        return found
 
     def end_searches(self) -> Iterator[Search]:
         """Searches for where limit cycles end or begin, and for where a foot leaves the ground."""
         options, points = ContinuationOptions(), [self.one, self.other]
+        conditions = self.locator.conditions
         if self.differ[changes.CYCLE]:
             others = dict(self.held)
             del others[GaitEnd.CONTACT]
-            yield from (search for _, search in searches(self.curve, points, others, options))
+            yield from (search for _, search in searches(self.curve, points, others, conditions, options))
         # Where the foot keeps contact on both sides, contact is lost with the cycle.
         if self.differ[changes.CONTACT] and not (
             self.differ[changes.CYCLE] and (self.held[GaitEnd.CONTACT] > 0).all()
         ):
-            yield from (search for _, search in searches(self.curve, points, self.held, options))
+            yield from (search for _, search in searches(self.curve, points, self.held, conditions, options))
 
     def take_end(self, end: End | None) -> list[_MetEnd]:
         """Enter what a search for an end has found, and return it."""
@@ -318,8 +344,8 @@ class _Piece:
     def _along(self, x: Floats) -> float:
         return self.curve.dot(x - self.one.x, self.one.tangent)
 
-    def _is_explained_by(self, met: list[_Met]) -> bool:
-        """Whether what happens here was located on another stretch, which shares this part of the branch."""
+    def bifurcations_are_among(self, met: list[Special]) -> bool:
+        """Whether those here were located on another stretch, which shares this part of the branch."""
         here = [point for point in met if self._passes(point.x)]
         peak = self.other_side[changes.FOLD] == 0  # the parameter is largest at the fold
         folds = sum(point.type == SpecialType.FOLD and (point.slope < 0) == peak for point in here)
@@ -366,16 +392,8 @@ class _Piece:
             must += [SpecialType.PD] if more == 1 else [SpecialType.NS]
         return [str(kind) for kind in must if kind in crossed]
 
-    def _bifurcation(
-        self, special: Special, options: ContinuationOptions
-    ) -> Iterator[tuple[float, str, Floats, dict[str, Any]]]:
-        """A bifurcation, if it is one of a limit cycle."""
-        n_rk = max(self.one.n_rk, self.other.n_rk)
-        params = self.curve.equations.point(special.x[-1:])[None]
-        resolution = [min(2 * n_rk, 2 * CYCLE_N_RK[-1])]
-        holds = self.locator.conditions.of_cycles(resolution, special.x[None, :-1], params, 1)
-        if not cycles(holds)[0]:
-            return
+    def enter(self, special: Special, criticality: str | None, gait: bool) -> None:
+        """Enter a bifurcation of a limit cycle, which may be a gait."""
         width = self.curve.chain.width - 1
         first = np.asarray(special.null, dtype=np.complex128)[:width]
         largest = first[np.abs(first).argmax()]
@@ -385,20 +403,21 @@ class _Piece:
         names = self.curve.equations.model.section
         values = {
             **self._common(special.x, special.multipliers, special.residual),
-            "gait": bool(holds[GaitEnd.CONTACT][0] > 0),
-            "criticality": self._criticality(special, options),
+            "gait": gait,
+            "criticality": criticality,
             "multiplier_re": special.multiplier.real,
             "multiplier_im": special.multiplier.imag,
             "crossing_slope": -special.slope if turned else special.slope,
             **{f"null_{name}_re": one.real for name, one in zip(names, null.tolist(), strict=True)},
             **{f"null_{name}_im": one.imag for name, one in zip(names, null.tolist(), strict=True)},
         }
-        yield self._along(special.x), str(special.type), special.x, values
+        self._found.append((self._along(special.x), str(special.type), special.x, values))
 
-    def _criticality(self, special: Special, options: ContinuationOptions) -> str | None:
+    def criticality(self, special: Special) -> Asking[str | None]:
+        """A search for which way a doubling is, and None of another bifurcation."""
         if special.type != SpecialType.PD:
             return None
-        switched = doubled(self.curve, special, options)
+        switched = yield from doubled(self.curve, special, ContinuationOptions())
         if switched is None:
             return None
         return "supercritical" if supercritical(special, switched) else "subcritical"

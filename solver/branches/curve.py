@@ -1,16 +1,20 @@
 """A curve of solutions of one equation fewer than unknowns, and the curve of cycles over one parameter."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.equations import CycleEquations
+from stridemap.solver.branches.asking import Question
+from stridemap.solver.branches.equations import CycleEquations, linearised, residuals
 from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.linear import solved
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 CLOSED, ROUNDING = 1e-11, 1e-14
 """Residuals at which a point is on the curve if the last correction was small, and in any case."""
@@ -32,9 +36,24 @@ class ZeroCurve(ABC):
     def linearised(self, x: Array, n_rk: int) -> tuple[Array, Array]:
         """Derivative of F, shape (M, M + 1), and F, shape (M,), with `n_rk` RK steps per walking step."""
 
-    def nearly_linearised(self, x: Array, n_rk: int, near: Array) -> tuple[Array, Array]:
-        """As `linearised`, but the derivative may be that at a point near x."""
-        return self.linearised(x, n_rk)
+    @property
+    def family(self) -> Hashable:
+        """What is asked of several curves of one family can be answered together."""
+        return id(self)
+
+    @classmethod
+    def linearised_each(cls, curves: Sequence[Self], x: Array, n_rk: Index) -> tuple[Array, Array]:
+        """The same on curves of one family, at a point of each: shapes (m, M, M + 1) and (m, M)."""
+        parts = [curve.linearised(*at) for curve, *at in zip(curves, x, n_rk.tolist(), strict=True)]
+        matrix, residual = zip(*parts, strict=True)
+        return np.stack(matrix), np.stack(residual)
+
+    @classmethod
+    def nearly_linearised_each(
+        cls, curves: Sequence[Self], x: Array, n_rk: Index, near: Array
+    ) -> tuple[Array, Array]:
+        """As `linearised_each`, but the derivatives may be those at points near by."""
+        return cls.linearised_each(curves, x, n_rk)
 
     @abstractmethod
     def n_rk(self, x: Array) -> int:
@@ -89,29 +108,11 @@ class ZeroCurve(ABC):
         iterations : int
             Largest number of corrections.
         near : ndarray, shape (M, M + 1), optional
-            The derivative at a point near by, for `nearly_linearised`: then the one that comes with the
+            The derivative at a point near by, for `nearly_linearised_each`: then the one that comes with the
             result is not exact.
         """
-        x = x.copy()
-        sizes: list[float] = []
-        for _ in range(iterations + 1):
-            if near is None:
-                matrix, residual = self.linearised(x, n_rk)
-            else:
-                matrix, residual = self.nearly_linearised(x, n_rk, near)
-            error = float(np.abs(residual).max())
-            if not np.isfinite(error) or not np.isfinite(matrix).all():
-                break
-            small = CORRECTED if near is None else NEARLY_CORRECTED
-            if error < CLOSED and ((sizes and sizes[-1] < small) or error < ROUNDING):
-                return Corrected(x, matrix, error, tuple(sizes))
-            right = np.append(-residual, 0.0)
-            change = solved(np.vstack([matrix, across / self.scale**2]), right)
-            sizes.append(self.norm(change))
-            if not np.isfinite(sizes[-1]) or (len(sizes) > 2 and sizes[-1] > sizes[-2] > CORRECTED):
-                break
-            x += change
-        return Corrected(x, matrix, np.inf, tuple(sizes))
+        (found,) = Correction.answers([Correction(self, x, across, n_rk, iterations, near)])
+        return found
 
 
 @dataclass(frozen=True)
@@ -145,15 +146,26 @@ class Curve(ZeroCurve):
         """The curve of cycles of another number of steps."""
         return Curve(replace(self.equations, chain=Chain(self.chain.kernels, n_steps)))
 
+    @property
+    def family(self) -> Hashable:
+        """Curves of one family differ at most in the parameters that do not vary."""
+        return self.equations.family
+
     def linearised(self, x: Array, n_rk: int) -> tuple[Array, Array]:
         """Derivative of the residual with respect to x, shape (N, N + 1), and the residual, shape (N,)."""
         return self.equations.linearised(x, n_rk)
 
-    def nearly_linearised(self, x: Array, n_rk: int, near: Array) -> tuple[Array, Array]:
-        """The residual at x, with the derivative at a point near x."""
-        size = self.equations.n_unknowns
-        params = self.equations.point(x[size:])
-        return near, self.chain.residual(n_rk, x[None, :size], params[None])[0]
+    @classmethod
+    def linearised_each(cls, curves: Sequence[Self], x: Array, n_rk: Index) -> tuple[Array, Array]:
+        """The same on curves of one family, at a point of each."""
+        return linearised([curve.equations for curve in curves], x, n_rk)
+
+    @classmethod
+    def nearly_linearised_each(
+        cls, curves: Sequence[Self], x: Array, n_rk: Index, near: Array
+    ) -> tuple[Array, Array]:
+        """Residuals, with the derivatives at points near by."""
+        return near, residuals([curve.equations for curve in curves], x, n_rk)
 
     def second(self, x: Array, v: Array, n_rk: int) -> Array:
         """Derivative of ``DR[v]`` with respect to x, shape (N, N + 1): see `CycleEquations.second`."""
@@ -175,16 +187,85 @@ class Corrected:
         Derivative of F there.
     residual : float
         Its largest entry; infinite where it did not converge.
-    sizes : tuple of float
-        Lengths of the corrections, in terms of the scale.
     """
 
     x: Array
     matrix: Array
     residual: float
-    sizes: tuple[float, ...]
 
     @property
     def converged(self) -> bool:
         """Whether it is a point of the curve."""
         return self.residual < np.inf
+
+
+@dataclass(frozen=True)
+class Linearisation(Question[tuple[Array, Array]]):
+    """Asks for a curve's derivative and F at a point: see `ZeroCurve.linearised`."""
+
+    curve: ZeroCurve
+    x: Array
+    n_rk: int
+
+    @property
+    def kind(self) -> Hashable:
+        """Curves of one family can be linearised together."""
+        return type(self.curve), self.curve.family
+
+    @classmethod
+    def answers(cls, questions: Sequence[Self]) -> list[tuple[Array, Array]]:
+        """Derivatives and F."""
+        curves = [one.curve for one in questions]
+        x, n_rk = np.array([one.x for one in questions]), np.array([one.n_rk for one in questions])
+        return list(zip(*type(curves[0]).linearised_each(curves, x, n_rk), strict=True))
+
+
+@dataclass(frozen=True)
+class Correction(Question[Corrected]):
+    """Asks for a point of a curve from one beside it: see `ZeroCurve.corrected`."""
+
+    curve: ZeroCurve
+    x: Array
+    across: Array
+    n_rk: int
+    iterations: int
+    near: Array | None = None
+
+    @property
+    def kind(self) -> Hashable:
+        """Newton's method goes on in step for curves of one family, as long as one has not ended."""
+        return type(self.curve), self.curve.family, self.iterations, self.near is None
+
+    @classmethod
+    def answers(cls, questions: Sequence[Self]) -> list[Corrected]:
+        """Where Newton's method ends."""
+        curves, family = [one.curve for one in questions], type(questions[0].curve)
+        x, n_rk = np.array([one.x for one in questions]), np.array([one.n_rk for one in questions])
+        scale = curves[0].scale
+        across = np.array([one.across for one in questions]) / scale**2
+        near = None if questions[0].near is None else np.array([one.near for one in questions])
+        small = CORRECTED if near is None else NEARLY_CORRECTED
+        matrices, residuals_ = np.empty((*x.shape[:1], x.shape[1] - 1, x.shape[1])), np.full(len(x), np.inf)
+        open_, last = np.arange(len(x)), np.full(len(x), np.inf)
+        for turn in range(questions[0].iterations + 1):
+            some = [curves[i] for i in open_.tolist()]
+            if near is None:
+                matrix, residual = family.linearised_each(some, x[open_], n_rk[open_])
+            else:
+                matrix, residual = family.nearly_linearised_each(some, x[open_], n_rk[open_], near[open_])
+            matrices[open_], error = matrix, np.abs(residual).max(axis=1)
+            finite = np.isfinite(error) & np.isfinite(matrix).all(axis=(1, 2))
+            done = finite & (error < CLOSED) & ((last[open_] < small) | (error < ROUNDING))
+            residuals_[open_[done]] = error[done]
+            rows = np.concatenate([matrix, across[open_, None]], axis=1)
+            change = solved(rows, np.concatenate([-residual, np.zeros((len(open_), 1))], axis=1))
+            length = np.sqrt(((change / scale) ** 2).sum(axis=1))
+            go_on = finite & ~done & np.isfinite(length)
+            if turn > 1:
+                go_on &= ~((length > last[open_]) & (last[open_] > CORRECTED))
+            open_, change = open_[go_on], change[go_on]
+            if not len(open_):
+                break
+            x[open_] += change
+            last[open_] = length[go_on]
+        return [Corrected(*one) for one in zip(x, matrices, residuals_.tolist(), strict=True)]

@@ -11,10 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint
+from stridemap.solver.branches.asking import alone
 from stridemap.solver.branches.conditions import GaitConditions
 from stridemap.solver.branches.curve import Curve
+from stridemap.solver.branches.defining import SpecialType
 from stridemap.solver.branches.ends import conditions_along
-from stridemap.solver.branches.special import SpecialType, point_between, tests
+from stridemap.solver.branches.special import point_between, tests
 from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
@@ -111,7 +113,7 @@ def _looked_for(
     """A point between two at which a quantity has another sign; None where its extreme has none."""
     before, after = values
     for _ in range(LOOKS):
-        here = point_between(curve, *ends, options, part)
+        here = alone(point_between(curve, *ends, options, part))
         if here is None:
             return None
         value = _quantities(curve, [here], conditions)[name][0]

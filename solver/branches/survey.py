@@ -16,11 +16,13 @@ from stridemap.solver.branches.arclength import (
     follow,
     passes_through,
 )
+from stridemap.solver.branches.asking import alone
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import Curve
+from stridemap.solver.branches.defining import Special, SpecialType
 from stridemap.solver.branches.dips import with_dips
 from stridemap.solver.branches.ends import End, conditions_along, gait_ends
-from stridemap.solver.branches.special import Special, SpecialType, special_points
+from stridemap.solver.branches.special import special_points
 from stridemap.solver.branches.switching import Switched, crossing, doubled, supercritical
 from stridemap.solver.cycles.chain import Chain
 from stridemap.solver.cycles.search import find_all
@@ -219,13 +221,13 @@ class Survey:
     def _switched(self, branch: Branch, special: Special, place: int) -> Iterator[Switched]:
         """Beginnings of the branches that leave a special point; a doubling's criticality is noted."""
         if special.type == SpecialType.PD:
-            switched = doubled(branch.curve, special, self.options)
+            switched = alone(doubled(branch.curve, special, self.options))
             if switched is not None:
                 branch.criticality[place] = supercritical(special, switched)
                 yield switched
         elif special.type == SpecialType.BP:
             for side in (1, -1):
-                switched = crossing(branch.curve, special, self.options, side)
+                switched = alone(crossing(branch.curve, special, self.options, side))
                 if switched is not None:
                     yield switched
 

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stridemap.solver.branches.arclength import CurvePoint, advanced
-from stridemap.solver.branches.curve import Curve
-from stridemap.solver.branches.special import Special
+from stridemap.solver.branches.arclength import CurvePoint
+from stridemap.solver.branches.asking import Asking, asked
+from stridemap.solver.branches.curve import Correction, Curve
+from stridemap.solver.branches.defining import Special
 from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]
@@ -29,8 +30,8 @@ class Switched:
     start: CurvePoint
 
 
-def doubled(curve: Curve, special: Special, options: ContinuationOptions) -> Switched | None:
-    """The branch of twice the period that begins at a doubling; None where it is not found.
+def doubled(curve: Curve, special: Special, options: ContinuationOptions) -> Asking[Switched | None]:
+    """A search for the branch of twice the period that begins at a doubling; it may return None.
 
     At a doubling the multiplier is -1: a small displacement along the null vector w returns after one cycle
     with the opposite sign. So the doubled cycle is, to first order, the cycle at u + w and then at u - w.
@@ -48,8 +49,10 @@ def doubled(curve: Curve, special: Special, options: ContinuationOptions) -> Swi
     return _leaving(double, x, np.concatenate([w, -w, [0.0]]), options)
 
 
-def crossing(curve: Curve, special: Special, options: ContinuationOptions, side: int = 1) -> Switched | None:
-    """The other branch at a branch point, to one side; None where it is not found.
+def crossing(
+    curve: Curve, special: Special, options: ContinuationOptions, side: int = 1
+) -> Asking[Switched | None]:
+    """A search for the other branch at a branch point, to one side; it may return None.
 
     Parameters
     ----------
@@ -62,16 +65,18 @@ def crossing(curve: Curve, special: Special, options: ContinuationOptions, side:
     return _leaving(curve, special.x, side * np.real(special.null), options)
 
 
-def _leaving(curve: Curve, x: Array, direction: Array, options: ContinuationOptions) -> Switched | None:
+def _leaving(
+    curve: Curve, x: Array, direction: Array, options: ContinuationOptions
+) -> Asking[Switched | None]:
     """The first point in a direction that leads away from a point, at the longest of ever shorter steps."""
     tangent = direction / curve.norm(direction)
-    n_rk = curve.n_rk(x)
-    matrix, _ = curve.linearised(x, n_rk)
-    here = CurvePoint(x, tangent, matrix, curve.multipliers(matrix), n_rk)
     ds = options.ds
     while ds >= options.ds_min:
-        there = advanced(curve, here, ds, options.max_corrections)
-        if there is not None:
+        guess = x + ds * tangent
+        n_rk = curve.n_rk(guess)
+        found = yield from asked(Correction(curve, guess, tangent, n_rk, options.max_corrections))
+        if found.converged:
+            there = CurvePoint.at(curve, found, tangent, n_rk)
             offset = there.x - x
             # A new branch is at a distance from the old one, and its tangent has hardly turned.
             if (

@@ -16,6 +16,7 @@ from stridemap.solver.linear import solved
 from stridemap.solver.model.scales import Scales
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -41,18 +42,18 @@ class Chain:
         """Number of unknowns per step."""
         return len(self.kernels.model.section) + 1
 
-    def residual(self, n_rk: int, u: Array, p: Array) -> Array:
+    def residual(self, n_rk: int | Index, u: Array, p: Array) -> Array:
         """Closing errors with the touchdown conditions, shape (m, n_steps * (nz + 1)).
 
         Parameters
         ----------
-        n_rk : int
+        n_rk : int or ndarray of int, shape (m,)
             RK steps per walking step.
         u : ndarray, shape (m, n_steps * (nz + 1))
         p : ndarray, shape (m, n_params)
         """
         steps, params = self._steps(u, p)
-        closing = self.kernels.residual(n_rk, steps, params)
+        closing = self.kernels.residual(self._each(n_rk), steps, params)
         return (closing + self._change(steps)).reshape(len(u), -1)
 
     def jacobian(self, n_rk: int, u: Array, p: Array) -> Linearised:
@@ -60,18 +61,18 @@ class Chain:
         steps, params = self._steps(u, p)
         return self._whole(steps, *self.kernels.jacobian(n_rk, steps, params))
 
-    def jacobian_along(self, n_rk: int, u: Array, p: Array, d: Array) -> LinearisedAlong:
+    def jacobian_along(self, n_rk: int | Index, u: Array, p: Array, d: Array) -> LinearisedAlong:
         """The same with the derivatives in directions of the parameters.
 
         Parameters
         ----------
-        n_rk : int
+        n_rk : int or ndarray of int, shape (m,)
         u : ndarray, shape (m, n_steps * (nz + 1))
         p, d : ndarray, shape (m, n_params)
         """
         steps, params = self._steps(u, p)
         jacobian, along, closing = self.kernels.jacobian_along(
-            n_rk, steps, params, np.repeat(d, self.n_steps, axis=0)
+            self._each(n_rk), steps, params, np.repeat(d, self.n_steps, axis=0)
         )
         whole = self._whole(steps, jacobian, closing)
         return LinearisedAlong(whole.jacobian, along.reshape(len(u), -1), whole.residual)
@@ -134,6 +135,10 @@ class Chain:
     def _steps(self, u: Array, p: Array) -> tuple[Array, Array]:
         """Every step of every chain with its parameters."""
         return u.reshape(-1, self.width), np.repeat(p, self.n_steps, axis=0)
+
+    def _each(self, n_rk: int | Index) -> int | Index:
+        """The resolution of every step, where those of chains differ."""
+        return np.repeat(n_rk, self.n_steps) if isinstance(n_rk, np.ndarray) else n_rk
 
     def _change(self, steps: Array) -> Array:
         """Section points minus the next ones: what a step that closes by itself has not got."""

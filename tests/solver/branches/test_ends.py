@@ -7,7 +7,7 @@ import pytest
 
 import stridemap
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
-from stridemap.solver.branches.ends import conditions_along, gait_ends, searches
+from stridemap.solver.branches.ends import conditions_along, gait_ends
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
 from stridemap.solver.model.loading import load
@@ -95,6 +95,27 @@ def test_an_end_is_one_at_the_finest_resolution_too():
     assert abs(conditions.of_cycles([768], x[None, :-1], params, 1)[ends[0].type][0]) < 1e-12
 
 
+class Counted:
+    """Conditions that count for how many points they were asked."""
+
+    def __init__(self, of_cycles):
+        self.given, self.count = of_cycles, 0
+
+    def of_cycles(self, n_rk, u, params, n_steps, names=None):
+        self.count += len(u)
+        return self.given(n_rk, u, params, n_steps, names)
+
+
+def given_along(points, value):
+    """A condition in the place of contact, as a function of the part of the way between two points."""
+    begin, end = (point.x[-1] for point in points)
+
+    def of_cycles(n_rk, u, params, n_steps, names):
+        return {GaitEnd.CONTACT: np.array([value((one - begin) / (end - begin)) for one in params[:, -1]])}
+
+    return Counted(of_cycles)
+
+
 def test_an_end_takes_few_trials():
     """Bisection from a bracket of 0.05 to 1e-14 would take more than forty at each resolution."""
     found = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1, friction_limit=0.2)
@@ -102,31 +123,21 @@ def test_an_end_takes_few_trials():
     for branch in found:
         points = branch.points[:: len(branch.points) - 1]  # a long bracket
         values = conditions_along(branch.curve, points, conditions)
-        ((_, search),) = searches(branch.curve, points, values, ContinuationOptions())
-        trial, count = next(search), 1
-        with pytest.raises(StopIteration) as stop:
-            while True:
-                at = conditions_along(branch.curve, [trial.point], conditions, [trial.name])
-                trial, count = search.send(float(at[trial.name][0])), count + 1
-        assert stop.value.value.residual < 1e-11
-        assert stop.value.value.point.x == pytest.approx(branch.ends[0][1].point.x, rel=0, abs=1e-10)
-        assert count <= 20
+        counted = Counted(conditions.of_cycles)
+        ((_, end),) = gait_ends(branch.curve, points, values, counted, ContinuationOptions())
+        assert end.residual < 1e-11
+        assert end.point.x == pytest.approx(branch.ends[0][1].point.x, rel=0, abs=1e-10)
+        assert counted.count <= 20
 
 
 def test_where_a_condition_jumps_secants_do_not_creep():
     """An early touchdown can vanish all at once: large on one side of the jump, nearly zero on the other."""
     (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
     points = branch.points[:: len(branch.points) - 1]
-    begin, end = (point.x[-1] for point in points)
+    jumps = given_along(points, lambda share: 1.0 if share < 0.4 else 1e-5 * (0.6 - share))
     values = {GaitEnd.CONTACT: np.array([1.0, -1e-5])}
-    ((_, search),) = searches(branch.curve, points, values, ContinuationOptions())
-    trial, count = next(search), 1
-    with pytest.raises(StopIteration):
-        while True:
-            share = (trial.point.x[-1] - begin) / (end - begin)
-            value = 1.0 if share < 0.4 else 1e-5 * (0.6 - share)
-            trial, count = search.send(value), count + 1
-    assert count <= 15
+    list(gait_ends(branch.curve, points, values, jumps, ContinuationOptions()))
+    assert 0 < jumps.count <= 15
 
 
 def test_where_rounding_blurs_a_condition_secants_stop():
@@ -134,18 +145,13 @@ def test_where_rounding_blurs_a_condition_secants_stop():
     (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
     points = branch.points[:: len(branch.points) - 1]
     begin, end = (point.x[-1] for point in points)
-    ((_, search),) = searches(
-        branch.curve, points, {GaitEnd.CONTACT: np.array([0.05, -0.05])}, ContinuationOptions()
-    )
     blur = itertools.cycle([4e-13, -3e-13, 5e-13])
-    trial, count = next(search), 1
-    with pytest.raises(StopIteration) as stop:
-        while True:
-            share = (trial.point.x[-1] - begin) / (end - begin)
-            trial, count = search.send(0.1 * (0.5 - share) + next(blur)), count + 1
-    assert stop.value.value.residual < 1e-12
-    assert (stop.value.value.point.x[-1] - begin) / (end - begin) == pytest.approx(0.5, abs=1e-10)
-    assert count <= 20
+    blurred = given_along(points, lambda share: 0.1 * (0.5 - share) + next(blur))
+    values = {GaitEnd.CONTACT: np.array([0.05, -0.05])}
+    ((_, found),) = gait_ends(branch.curve, points, values, blurred, ContinuationOptions())
+    assert found.residual < 1e-12
+    assert (found.point.x[-1] - begin) / (end - begin) == pytest.approx(0.5, abs=1e-10)
+    assert blurred.count <= 20
 
 
 def test_a_gait_ends_where_the_foot_touches_down_early():

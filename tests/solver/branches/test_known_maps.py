@@ -10,10 +10,12 @@ from scipy.linalg import expm
 from scipy.optimize import brentq
 
 from stridemap.solver.branches.arclength import EndReason, Window, advanced, at_value, both_ways, follow
+from stridemap.solver.branches.asking import alone
 from stridemap.solver.branches.conditions import GaitEnd
+from stridemap.solver.branches.defining import SpecialType
 from stridemap.solver.branches.dips import with_dips
 from stridemap.solver.branches.ends import conditions_along, gait_ends
-from stridemap.solver.branches.special import SpecialType, special_points
+from stridemap.solver.branches.special import special_points
 from stridemap.solver.branches.survey import ending_there
 from stridemap.solver.branches.switching import crossing, doubled, supercritical
 from stridemap.solver.cycles.floquet import sorted_eigenvalues, step_map_derivative
@@ -86,7 +88,7 @@ def test_the_doublings_of_the_logistic_map():
     np.testing.assert_allclose(doubling.x, [2 / 3, 1.0, 3.0], rtol=0, atol=1e-11)
     assert doubling.multiplier == -1
     assert doubling.slope == pytest.approx(-doubling.direction, rel=1e-8)  # the multiplier is 2 - p
-    begins = doubled(on, doubling, OPTIONS)
+    begins = alone(doubled(on, doubling, OPTIONS))
     assert begins.curve.chain.n_steps == 2
     assert supercritical(doubling, begins)
     both, reason = follow(begins.curve, begins.start, window(2.2, 3.6), OPTIONS)
@@ -100,7 +102,7 @@ def test_the_doublings_of_the_logistic_map():
     (second,) = specials(begins.curve, both)
     assert second.type is SpecialType.PD
     assert second.x[-1] == pytest.approx(1 + np.sqrt(6), abs=1e-10)
-    assert supercritical(second, doubled(begins.curve, second, OPTIONS))
+    assert supercritical(second, alone(doubled(begins.curve, second, OPTIONS)))
 
 
 @pytest.mark.parametrize(("cubic", "expected"), [(1, False), (-1, True)])
@@ -113,7 +115,7 @@ def test_a_doubling_is_supercritical_where_the_single_cycle_is_unstable(cubic, e
         points = [point.reversed() for point in reversed(points)]
     (doubling,) = specials(on, points)
     assert doubling.x[-1] == pytest.approx(0.0, abs=1e-12)
-    begins = doubled(on, doubling, OPTIONS)
+    begins = alone(doubled(on, doubling, OPTIONS))
     one, _, other, _, value = begins.start.x - np.array([0.5, 0, 0.5, 0, 0])
     assert one == pytest.approx(-other, abs=1e-12)
     assert one**2 == pytest.approx(-value / cubic, abs=1e-11)
@@ -125,7 +127,7 @@ def test_a_doubled_branch_ends_where_its_halves_are_one_cycle_again():
     on = curve(shifted(lambda z: -(1 + p * (1 - p)) * z + z**3))
     points, _ = traced(on, 0.5, -0.4, -0.5, 1.5)
     first, second = specials(on, points)
-    begins = doubled(on, first, OPTIONS)
+    begins = alone(doubled(on, first, OPTIONS))
     there, reason = follow(begins.curve, begins.start, window(-0.5, 1.5), OPTIONS)
     assert reason is EndReason.BRANCH_POINT
     passed = specials(begins.curve, there)
@@ -197,7 +199,7 @@ def test_a_pitchfork_is_a_branch_point_from_which_both_sides_are_reached():
     np.testing.assert_allclose(meeting.x, [0.5, 1.0, 0.0], rtol=0, atol=1e-11)
     ends = []
     for side in (1, -1):
-        begins = crossing(on, meeting, OPTIONS, side)
+        begins = alone(crossing(on, meeting, OPTIONS, side))
         assert begins is not None
         there, reason = follow(begins.curve, begins.start, window(-0.5, 0.5), OPTIONS)
         assert reason is EndReason.RANGE

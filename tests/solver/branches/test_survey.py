@@ -5,6 +5,7 @@ import pytest
 
 import stridemap
 from stridemap.solver.branches.arclength import Window, at_value, both_ways, follow
+from stridemap.solver.branches.asking import alone
 from stridemap.solver.branches.special import special_points
 from stridemap.solver.branches.survey import Branch, on_branch
 from stridemap.solver.branches.switching import doubled
@@ -59,7 +60,7 @@ def test_a_cycle_of_two_steps_is_the_same_whichever_it_begins_with():
     window = Window((2.2,), (3.4,), 0.5, 1.5)
     points, _ = both_ways(on, begin, window, OPTIONS)
     ((_, doubling),) = special_points(on, points, OPTIONS)
-    begins = doubled(on, doubling, OPTIONS)
+    begins = alone(doubled(on, doubling, OPTIONS))
     two = branch(begins.curve, follow(begins.curve, begins.start, window, OPTIONS)[0])
     value = 3.2345
     one, other = (value + 1 + np.array([-1, 1]) * np.sqrt((value - 3) * (value + 1))) / (2 * value)

@@ -1,0 +1,525 @@
+"""Systems of equations of which bifurcations are regular solutions, and Newton's method on them.
+
+With the derivative J of a chain's residual, W the part of it that leads from the last step back to the first,
+and
+
+    M(lambda) = J + (1 - lambda) W,
+
+lambda is a Floquet multiplier of the cycle where M(lambda) is singular. Bordered by any two vectors b and c,
+
+    [ M  b ] [ w ]   [ 0 ]
+    [ c' 0 ] [ g ] = [ 1 ]
+
+g is zero there and smooth, and its derivative is ``-psi' dM w`` with the solution psi of the transposed
+system (W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, chapter 3). So ``R = 0,
+g = 0`` is a regular system for a fold (lambda = 1), a period doubling (-1), and, with the angle as one more
+unknown and g complex, a torus (exp(i theta)). At a branch point the augmented system of H. D. Mittelmann and
+H. Weber (1980) is regular: ``R + mu psi = 0, DR' psi = 0, |psi| = 1``.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stridemap.solver.branches.arclength import CurvePoint
+from stridemap.solver.branches.asking import Question
+from stridemap.solver.branches.curve import Curve
+from stridemap.solver.branches.equations import CycleEquations, linearised, second
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK
+from stridemap.solver.linear import solved
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Index = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+
+class SpecialType(StrEnum):
+    """What happens at a special point."""
+
+    FOLD = "fold"
+    PD = "pd"
+    NS = "ns"
+    BP = "bp"
+
+
+@dataclass(frozen=True)
+class Special:
+    """A special point.
+
+    Parameters
+    ----------
+    type : SpecialType
+    x : ndarray, shape (N + 1,)
+        Unknowns of the chain, and the parameter.
+    multipliers : ndarray of complex, shape (nz,)
+    null : ndarray, shape (N,) or (N + 1,)
+        The direction that neither grows nor shrinks, in the unknowns of all steps; of a branch point, the
+        second tangent, with that of the parameter.
+    residual : float
+        Largest entry of its defining system.
+    slope : float
+        Change along the branch, per unit of arclength, of what passes through a value there: of a doubling's
+        multiplier, of the modulus of a torus's; of a fold, of the parameter's share in the tangent. A special
+        point whose slope is not zero is truly crossed.
+    multiplier : complex
+        The one that crosses the unit circle.
+    direction : float
+        Change of the parameter per unit of arclength.
+    border : Border or None
+        Of its system, if that is bordered.
+    """
+
+    type: SpecialType
+    x: Array
+    multipliers: Complex
+    null: NDArray[np.complex128] | Array
+    residual: float
+    slope: float
+    multiplier: complex
+    direction: float
+    border: "Border | None" = None
+
+
+@dataclass(frozen=True)
+class Border:
+    """What Newton's method on a bordered system can begin with anew, at another resolution.
+
+    Parameters
+    ----------
+    b, c : ndarray, shape (N,)
+    gradient : ndarray, shape (N + 1,)
+        Of g.
+    """
+
+    b: NDArray[Any]
+    c: NDArray[Any]
+    gradient: NDArray[Any]
+
+
+def wrap(equations: CycleEquations) -> Array:
+    """The matrix W: what leads from the first point to the residual of the last step, shape (N, N)."""
+    width, nz = equations.chain.width, equations.chain.width - 1
+    size = equations.n_unknowns
+    matrix = np.zeros((size, size))
+    matrix[np.arange(size - width, size - 1), np.arange(nz)] = 1.0
+    return matrix
+
+
+def finer(n_rk: int) -> int:
+    """Twice a resolution, or the finest that there is."""
+    return min(2 * n_rk, CYCLE_N_RK[-1])
+
+
+@dataclass(frozen=True)
+class Attempt(Question[Special | None]):
+    """Asks for the special point of a type near a point of a curve; None where Newton's method fails.
+
+    It is computed at twice the resolution of that point, or at the finest that there is.
+
+    Parameters
+    ----------
+    type : SpecialType
+    curve : Curve
+    guess : CurvePoint
+    reach : float
+        It is not looked for farther away, in terms of the scale.
+    before : Special, optional
+        The same at a coarser resolution. It moves so little that its slope and the gradient of g stay.
+    """
+
+    type: SpecialType
+    curve: Curve
+    guess: CurvePoint
+    reach: float = np.inf
+    before: Special | None = None
+
+    @property
+    def kind(self) -> Hashable:
+        """Newton's method on one kind of system goes on in step for curves of one family."""
+        return self.type, self.curve.family, self.before is None
+
+    @classmethod
+    def answers(cls, questions: Sequence[Self]) -> list[Special | None]:
+        """Special points."""
+        return _SYSTEMS[questions[0].type](questions).solutions()
+
+
+@dataclass(frozen=True)
+class _Bordered:
+    """Bordered systems of M(lambda) at k points.
+
+    Parameters
+    ----------
+    w, psi : ndarray, shape (k, N)
+        Solutions of the systems and of their transposes.
+    g : ndarray, shape (k,)
+    """
+
+    w: NDArray[Any]
+    psi: NDArray[Any]
+    g: NDArray[Any]
+
+    @classmethod
+    def of(cls, matrix: NDArray[Any], b: NDArray[Any], c: NDArray[Any]) -> "_Bordered":
+        """Solve the systems with borders b and c."""
+        count, size = matrix.shape[:2]
+        whole = np.zeros((count, size + 1, size + 1), dtype=matrix.dtype)
+        whole[:, :size, :size], whole[:, :size, size], whole[:, size, :size] = matrix, b, c
+        right = np.zeros((count, size + 1), dtype=matrix.dtype)
+        right[:, size] = 1.0
+        one, other = solved(whole, right), solved(whole.transpose(0, 2, 1), right)
+        return cls(one[:, :size], other[:, :size], one[:, size])
+
+
+@dataclass(frozen=True)
+class _Linear:
+    """The linear systems of a Newton step at k points, and of what they are made.
+
+    Parameters
+    ----------
+    rows : ndarray, shape (k, L, L)
+    right : ndarray, shape (k, L)
+        What is to become zero.
+    size : ndarray, shape (k,)
+        Modulus of its largest entry.
+    w, psi : ndarray, shape (k, N)
+        Null vectors of M(lambda), of the unknowns themselves and of the equations.
+    """
+
+    rows: Array
+    right: Array
+    size: Array
+    w: NDArray[Any]
+    psi: NDArray[Any]
+
+    def take(self, index: Index) -> "_Linear":
+        """Some of the points."""
+        return _Linear(*(part[index] for part in (self.rows, self.right, self.size, self.w, self.psi)))
+
+
+class _System(ABC):
+    """Newton's method on systems of one kind from m guesses, on curves of one family."""
+
+    type: SpecialType
+
+    def __init__(self, attempts: Sequence[Attempt]) -> None:
+        self.curves = [one.curve for one in attempts]
+        self.guesses = [one.guess for one in attempts]
+        self.before = [one.before for one in attempts]
+        self.x = np.array([guess.x for guess in self.guesses])
+        self.begin, self.reach = self.x.copy(), np.array([one.reach for one in attempts])
+        self.n_rk = np.array([finer(guess.n_rk) for guess in self.guesses])
+        self.scale, self.weave = self.curves[0].scale, wrap(self.curves[0].equations)
+
+    def solutions(self) -> list[Special | None]:
+        """The special points."""
+        found: list[Special | None] = [None] * len(self.curves)
+        open_, last = self._begun(), np.full(len(self.curves), np.inf)
+        for _ in range(ITERATIONS):
+            open_, matrix, residual = self._linearised(open_)
+            if not len(open_):
+                break
+            linear = self._linear(open_, matrix, residual)
+            change = solved(linear.rows, -linear.right)
+            good, length = np.isfinite(change).all(axis=1), self._norm(change[:, : self.x.shape[1]])
+            near = (linear.size < SPECIAL_RESIDUAL) & self._settled(open_, length, last[open_])
+            last[open_] = length
+            self._move(open_[good], change[good])
+            good &= self._norm(self.x[open_] - self.begin[open_]) <= self.reach[open_]
+            at = np.flatnonzero(good & near)
+            if len(at):
+                specials = self._specials(open_[at], matrix[at], linear.take(at))
+                for i, special in zip(open_[at].tolist(), specials, strict=True):
+                    found[i] = special
+            open_ = open_[good & ~near]
+        return found
+
+    def _begun(self) -> Index:
+        """The guesses from which a system can be solved."""
+        return np.arange(len(self.curves))
+
+    def _settled(self, open_: Index, length: Array, last: Array) -> Mask:
+        """Whether steps are so short, in terms of the scale, that the next ones would be lost in rounding."""
+        return np.asarray(length < SETTLED)
+
+    def _linearised(self, open_: Index) -> tuple[Index, Array, Array]:
+        """Those of some points at which there are derivatives, with these and the residuals."""
+        if not len(open_):
+            return open_, np.empty(0), np.empty(0)
+        matrix, residual = linearised(self._equations(open_), self.x[open_], self.n_rk[open_])
+        finite = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(residual).all(axis=1)
+        return open_[finite], matrix[finite], residual[finite]
+
+    @abstractmethod
+    def _linear(self, open_: Index, matrix: Array, residual: Array) -> _Linear:
+        """The linear systems at some of the points, where the curves' equations have these derivatives."""
+
+    def _move(self, open_: Index, change: Array) -> None:
+        """Change the unknowns of some of the points."""
+        self.x[open_] += change[:, : self.x.shape[1]]
+
+    @abstractmethod
+    def _specials(self, open_: Index, matrix: Array, linear: _Linear) -> list[Special | None]:
+        """Special points where Newton's method has ended."""
+
+    def _equations(self, open_: Index) -> list[CycleEquations]:
+        return [self.curves[i].equations for i in open_.tolist()]
+
+    def _norm(self, x: Array) -> Array:
+        length: Array = np.sqrt(((x / self.scale) ** 2).sum(axis=1))
+        return length
+
+
+class _BorderedSystem(_System):
+    """``R = 0, g = 0``.
+
+    The second derivatives in the gradient of g cost far more than all the rest. It serves for several steps,
+    as long as these become shorter fast.
+    """
+
+    def __init__(self, attempts: Sequence[Attempt]) -> None:
+        super().__init__(attempts)
+        given = [one.border for one in self.before if one is not None]
+        self._borders: list[NDArray[Any]] | None = None
+        if given:
+            self._borders = [
+                np.array([getattr(one, name) for one in given]) for name in ("b", "c", "gradient")
+            ]
+        self._kept = np.full(
+            len(self.curves), bool(given)
+        )  # whether the gradient is that of an earlier point
+
+    def _settled(self, open_: Index, length: Array, last: Array) -> Mask:
+        settled = length < np.where(self._kept[open_], SETTLED_NEARLY, SETTLED)
+        self._kept[open_] = length < SHORTER * last
+        return np.asarray(settled)
+
+    def _bordered(self, open_: Index, singular: NDArray[Any]) -> tuple[_Bordered, NDArray[Any]]:
+        """The bordered systems, with the same borders in each Newton step, and gradients of g."""
+        if self._borders is None:
+            # Singular vectors of the smallest singular value make them best conditioned.
+            u, _, vh = np.linalg.svd(singular)
+            shape = len(self.curves), singular.shape[1]
+            b, c, gradient = (
+                np.zeros((len(self.curves), size), dtype=singular.dtype)
+                for size in (*shape[1:] * 2, shape[1] + 1)
+            )
+            b[open_], c[open_] = u[:, :, -1], vh[:, -1]
+            self._borders = [b, c, gradient]
+        b, c, gradient = self._borders
+        bordered = _Bordered.of(singular, b[open_], c[open_])
+        new = np.flatnonzero(~self._kept[open_])
+        if len(new):
+            gradient[open_[new]] = self._gradient(open_[new], bordered.w[new], bordered.psi[new])
+        return bordered, gradient[open_]
+
+    def _gradient(self, open_: Index, w: NDArray[Any], psi: NDArray[Any]) -> NDArray[Any]:
+        """Gradients of g, for null vectors in terms of the scale."""
+        return -_product(psi, self._second(open_, w * self.scale[:-1]))
+
+    def _second(self, open_: Index, w: NDArray[Any]) -> NDArray[Any]:
+        """Derivatives of ``DR[w]``, for directions w of the unknowns that are not parameters."""
+        v = np.concatenate([w, np.zeros((len(w), 1))], axis=1)
+        return second(self._equations(open_), self.x[open_], v, self.n_rk[open_])
+
+    def _specials(self, open_: Index, matrix: Array, linear: _Linear) -> list[Special | None]:
+        assert self._borders is not None
+        before = [self.before[i] for i in open_.tolist()]
+        slopes = [one.slope for one in before if one is not None] or self._slopes(
+            open_, matrix, linear
+        ).tolist()
+        out: list[Special | None] = []
+        for row, i in enumerate(open_.tolist()):
+            curve, multiplier = self.curves[i], self._multiplier(i)
+            border = Border(*(one[i] for one in self._borders))
+            direction = float(curve.tangent(matrix[row], self.guesses[i].tangent)[-1])
+            here = self.x[i].copy(), curve.multipliers(matrix[row]), linear.w[row], float(linear.size[row])
+            found = Special(self.type, *here, slopes[row], multiplier, direction, border)
+            out.append(found if self._counts(i) else None)
+        return out
+
+    def _counts(self, i: int) -> bool:
+        """Whether a solution is a special point."""
+        return True
+
+    @abstractmethod
+    def _multiplier(self, i: int) -> complex:
+        """The multiplier that crosses the unit circle."""
+
+    @abstractmethod
+    def _slopes(self, open_: Index, matrix: Array, linear: _Linear) -> Array:
+        """Changes along the curves, per unit of arclength, of what passes through a value."""
+
+    def _tangents(self, open_: Index, matrix: Array) -> Array:
+        parts = zip(open_.tolist(), matrix, strict=True)
+        return np.array([self.curves[i].tangent(one, self.guesses[i].tangent) for i, one in parts])
+
+    def _changes(self, open_: Index, matrix: Array, linear: _Linear) -> NDArray[Any]:
+        """Change of the multiplier along the curve: since M w = 0 there, psi' dM w / psi' W w."""
+        gradient = self._gradient(open_, linear.w / self.scale[:-1], linear.psi)
+        changes: NDArray[Any] = -(gradient * self._tangents(open_, matrix)).sum(axis=1)
+        return changes / (linear.psi * (linear.w @ self.weave.T)).sum(axis=1)
+
+
+class _RealMultiplier(_BorderedSystem):
+    """The same for a fixed real multiplier."""
+
+    multiplier: float
+
+    def _linear(self, open_: Index, matrix: Array, residual: Array) -> _Linear:
+        turned = (1.0 - self.multiplier) * self.weave
+        bordered, gradient = self._bordered(open_, (matrix[:, :, :-1] + turned) * self.scale[:-1])
+        right = np.column_stack([residual, bordered.g])
+        rows = np.concatenate([matrix, gradient[:, None]], axis=1)
+        return _Linear(rows, right, np.abs(right).max(axis=1), bordered.w * self.scale[:-1], bordered.psi)
+
+    def _multiplier(self, i: int) -> complex:
+        return complex(self.multiplier)
+
+
+class _Fold(_RealMultiplier):
+    """The multiplier 1."""
+
+    type, multiplier = SpecialType.FOLD, 1.0
+
+    def _slopes(self, open_: Index, matrix: Array, linear: _Linear) -> Array:
+        """Change of the tangent's parameter: not zero where the curve turns back."""
+        v = linear.w / self._norm(np.concatenate([linear.w, np.zeros((len(open_), 1))], axis=1))[:, None]
+        along = linearised(self._equations(open_), self.x[open_], self.n_rk[open_])[0][:, :, -1]
+        bend = (self._second(open_, v)[:, :, :-1] @ v[:, :, None])[:, :, 0]
+        psi = linear.psi
+        slopes: Array = -(psi * bend).sum(axis=1) / (psi * along).sum(axis=1) / self.scale[-1]
+        return slopes
+
+
+class _Doubling(_RealMultiplier):
+    """The multiplier -1."""
+
+    type, multiplier = SpecialType.PD, -1.0
+
+    def _slopes(self, open_: Index, matrix: Array, linear: _Linear) -> Array:
+        """Changes of the multipliers."""
+        return self._changes(open_, matrix, linear)
+
+
+class _Torus(_BorderedSystem):
+    """The same with the angle theta of the multiplier as one more unknown, and complex g."""
+
+    type = SpecialType.NS
+
+    def _begun(self) -> Index:
+        """Where there is a pair of complex multipliers: two real ones may have the product 1, too."""
+        self.theta = np.full(len(self.curves), np.nan)
+        for i, guess in enumerate(self.guesses):
+            pairs = guess.multipliers[guess.multipliers.imag > 0]
+            if len(pairs):
+                self.theta[i] = np.angle(pairs[np.abs(np.abs(pairs) - 1.0).argmin()])
+        return np.flatnonzero(np.isfinite(self.theta))
+
+    def _linear(self, open_: Index, matrix: Array, residual: Array) -> _Linear:
+        root = np.exp(1j * self.theta[open_])
+        turned = (1.0 - root)[:, None, None] * self.weave
+        bordered, gradient = self._bordered(open_, (matrix[:, :, :-1] + turned) * self.scale[:-1])
+        w = bordered.w * self.scale[:-1]
+        turn = 1j * root * (bordered.psi * (w @ self.weave.T)).sum(axis=1)
+        count, size = residual.shape
+        rows = np.zeros((count, size + 2, size + 2))
+        rows[:, :size, :-1], rows[:, size, :-1], rows[:, size + 1, :-1] = matrix, gradient.real, gradient.imag
+        rows[:, size, -1], rows[:, size + 1, -1] = turn.real, turn.imag
+        right = np.column_stack([residual, bordered.g.real, bordered.g.imag])
+        error = np.maximum(np.abs(residual).max(axis=1), np.abs(bordered.g))
+        return _Linear(rows, right, error, w, bordered.psi)
+
+    def _move(self, open_: Index, change: Array) -> None:
+        super()._move(open_, change)
+        self.theta[open_] += change[:, -1]
+
+    def _counts(self, i: int) -> bool:
+        return bool(1e-6 < self.theta[i] < np.pi - 1e-6)
+
+    def _multiplier(self, i: int) -> complex:
+        return complex(np.exp(1j * self.theta[i]))
+
+    def _slopes(self, open_: Index, matrix: Array, linear: _Linear) -> Array:
+        """Changes of the moduli: the components of the multipliers' changes along these."""
+        slopes: Array = (self._changes(open_, matrix, linear) / np.exp(1j * self.theta[open_])).real
+        return slopes
+
+
+class _BranchPoint(_System):
+    """``R + mu psi = 0, DR' psi = 0, |psi| = 1``."""
+
+    type = SpecialType.BP
+
+    def _begun(self) -> Index:
+        size = self.x.shape[1] - 1
+        self.psi, self.mu = np.full((len(self.curves), size), np.nan), np.zeros(len(self.curves))
+        return super()._begun()
+
+    def _linear(self, open_: Index, matrix: Array, residual: Array) -> _Linear:
+        count, size = residual.shape
+        if np.isnan(self.psi[open_]).any():
+            self.psi[open_] = np.linalg.svd(matrix * self.scale)[0][:, :, -1]
+        psi, mu = self.psi[open_], self.mu[open_]
+        units = np.tile(np.eye(size + 1), (count, 1))
+        each = np.repeat(open_, size + 1)
+        twice = second(self._equations(each), self.x[each], units, self.n_rk[each])
+        contracted = _product(np.repeat(psi, size + 1, axis=0), twice)
+        rows = np.zeros((count, 2 * size + 2, 2 * size + 2))
+        rows[:, :size, : size + 1], rows[:, :size, size + 1] = matrix, psi
+        rows[:, :size, size + 2 :] = mu[:, None, None] * np.eye(size)
+        rows[:, size : 2 * size + 1, : size + 1] = contracted.reshape(count, size + 1, size + 1)
+        rows[:, size : 2 * size + 1, size + 2 :] = matrix.transpose(0, 2, 1)
+        rows[:, -1, size + 2 :] = 2 * psi
+        unit = (psi**2).sum(axis=1) - 1.0
+        right = np.column_stack([residual + mu[:, None] * psi, _product(psi, matrix), unit])
+        error = np.maximum(np.abs(right).max(axis=1), np.abs(mu))
+        return _Linear(rows, right, error, np.full_like(psi, np.nan), psi)
+
+    def _move(self, open_: Index, change: Array) -> None:
+        super()._move(open_, change)
+        size = self.x.shape[1]
+        self.mu[open_] += change[:, size]
+        self.psi[open_] += change[:, size + 1 :]
+
+    def _specials(self, open_: Index, matrix: Array, linear: _Linear) -> list[Special | None]:
+        """Branch points with the direction across the curve in the plane of its two tangents."""
+        out: list[Special | None] = []
+        for row, i in enumerate(open_.tolist()):
+            curve, guess = self.curves[i], self.guesses[i]
+            _, singular, vh = np.linalg.svd(matrix[row] * self.scale)
+            kernel = vh[-2:]
+            along = kernel @ (guess.tangent / self.scale)
+            across = np.array([-along[1], along[0]]) @ kernel
+            slope = float(singular[-2]) if len(singular) > 1 else 1.0
+            multipliers, size = curve.multipliers(matrix[row]), float(linear.size[row])
+            here = self.x[i].copy(), multipliers, across * self.scale, size, slope
+            out.append(Special(self.type, *here, 1.0 + 0.0j, float(guess.tangent[-1])))
+        return out
+
+
+def _product(vectors: NDArray[Any], matrices: NDArray[Any]) -> NDArray[Any]:
+    """Vectors times matrices, shapes (k, n) and (k, n, m)."""
+    out: NDArray[Any] = (vectors[:, None, :] @ matrices)[:, 0]
+    return out
+
+
+_SYSTEMS: dict[SpecialType, type[_System]] = {
+    one.type: one for one in (_Fold, _Doubling, _Torus, _BranchPoint)
+}
+
+ITERATIONS = 20
+"""Newton iterations of one attempt."""
+
+SPECIAL_RESIDUAL, SETTLED, SETTLED_NEARLY = 1e-11, 1e-7, 1e-12
+"""Residual of a special point, and sizes of a Newton step after which the next one would be lost in rounding,
+in terms of the scale: with the gradient of g there, and with that of an earlier point."""
+
+SHORTER = 0.2
+"""Part of the step before that a Newton step may be, for the gradient of g to serve for another one."""
