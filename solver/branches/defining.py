@@ -285,17 +285,16 @@ class _BorderedSystem(_System):
 
     def __init__(self, attempts: Sequence[Attempt]) -> None:
         super().__init__(attempts)
-        given = [one.border for one in self.before if one is not None]
         self._borders: list[NDArray[Any]] | None = None
+        given = [one.border for one in self.before if one is not None and one.border is not None]
         if given:
-            self._borders = [
-                np.array([getattr(one, name) for one in given]) for name in ("b", "c", "gradient")
-            ]
-        self._kept = np.full(
-            len(self.curves), bool(given)
-        )  # whether the gradient is that of an earlier point
+            parts = zip(*((one.b, one.c, one.gradient) for one in given), strict=True)
+            self._borders = [np.array(part) for part in parts]
+        # Whether the gradient is that of an earlier point.
+        self._kept = np.full(len(self.curves), bool(given))
 
     def _settled(self, open_: Index, length: Array, last: Array) -> Mask:
+        """The same; the gradient stays where steps become shorter fast."""
         settled = length < np.where(self._kept[open_], SETTLED_NEARLY, SETTLED)
         self._kept[open_] = length < SHORTER * last
         return np.asarray(settled)
@@ -305,13 +304,9 @@ class _BorderedSystem(_System):
         if self._borders is None:
             # Singular vectors of the smallest singular value make them best conditioned.
             u, _, vh = np.linalg.svd(singular)
-            shape = len(self.curves), singular.shape[1]
-            b, c, gradient = (
-                np.zeros((len(self.curves), size), dtype=singular.dtype)
-                for size in (*shape[1:] * 2, shape[1] + 1)
-            )
-            b[open_], c[open_] = u[:, :, -1], vh[:, -1]
-            self._borders = [b, c, gradient]
+            count, size = len(self.curves), singular.shape[1]
+            self._borders = [np.zeros((count, n), dtype=singular.dtype) for n in (size, size, size + 1)]
+            self._borders[0][open_], self._borders[1][open_] = u[:, :, -1], vh[:, -1]
         b, c, gradient = self._borders
         bordered = _Bordered.of(singular, b[open_], c[open_])
         new = np.flatnonzero(~self._kept[open_])
@@ -330,10 +325,9 @@ class _BorderedSystem(_System):
 
     def _specials(self, open_: Index, matrix: Array, linear: _Linear) -> list[Special | None]:
         assert self._borders is not None
-        before = [self.before[i] for i in open_.tolist()]
-        slopes = [one.slope for one in before if one is not None] or self._slopes(
-            open_, matrix, linear
-        ).tolist()
+        before = [one for i in open_.tolist() if (one := self.before[i]) is not None]
+        new = [] if before else self._slopes(open_, matrix, linear).tolist()
+        slopes = new or [one.slope for one in before]
         out: list[Special | None] = []
         for row, i in enumerate(open_.tolist()):
             curve, multiplier = self.curves[i], self._multiplier(i)

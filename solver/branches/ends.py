@@ -161,12 +161,24 @@ class _Between:
 
         They are `known` at both points.
         """
-        found = []
-        for name, values in known.items():
-            end = yield from self._located(name, values)
-            if end is not None:
-                found.append(end)
-        return min(found, key=lambda end: self.curve.norm(end.point.x - inside), default=None)
+        first: End | None = None
+        # Where the foot grazes the ground an early touchdown appears all at once, which no secant locates.
+        for name in sorted(known, key=lambda one: one == GaitEnd.EARLY_TOUCHDOWN):
+            if first is not None and (yield from self._holds_until(first.point, name, inside)):
+                continue
+            end = yield from self._located(name, known[name])
+            if end is not None and (first is None or self._away(end, inside) < self._away(first, inside)):
+                first = end
+        return first
+
+    def _away(self, end: End, inside: Array) -> float:
+        return self.curve.norm(end.point.x - inside)
+
+    def _holds_until(self, end: CurvePoint, name: GaitEnd, inside: Array) -> Asking[bool]:
+        """Whether a condition holds just before an end of another one, so that it is not met earlier."""
+        before = end.x + JUST * (inside - end.x)
+        here = yield from self._corrected(before, self._along(before) / self.length, end.n_rk)
+        return here is not None and (yield from self._tried(here, name)) > 0
 
     def _located(self, name: GaitEnd, known: tuple[float, float]) -> Search:
         """Where a condition is zero.
@@ -292,6 +304,9 @@ before there are finer ones."""
 UNCHANGED = 3e-11
 """Change of an end at twice the resolution that needs no finer one, in terms of the scale: the next would be
 a hundredth of it, or less. Where rounding keeps the condition from becoming smaller, so near will do."""
+
+JUST = 1e-6
+"""Part of the way back from an end at which other conditions are looked at: more than rounding moves it."""
 
 SECANTS = 8
 """Secants at one resolution."""

@@ -200,8 +200,8 @@ POINTS = (
     ),
     Mutation(
         "sweeps/special.py",
-        "if not cycles(holds)[0]:",
-        "if cycles(holds)[0]:",
+        "zip(located, of_cycles.tolist(), strict=True) if cycle]",
+        "zip(located, of_cycles.tolist(), strict=True) if not cycle]",
         "bifurcations are those of solutions that are no limit cycles",
         (f"{SPECIAL}::test_the_first_doubling_of_the_simplest_walker",),
     ),

@@ -140,6 +140,27 @@ def test_where_a_condition_jumps_secants_do_not_creep():
     assert 0 < jumps.count <= 15
 
 
+@pytest.mark.parametrize(("early", "kind"), [(0.4, GaitEnd.GRAZING), (0.35, GaitEnd.EARLY_TOUCHDOWN)])
+def test_an_early_touchdown_that_appears_where_the_foot_grazes_is_not_searched_for(early, kind):
+    """There it appears all at once; met before it is an end of its own."""
+    (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
+    points = branch.points[:: len(branch.points) - 1]
+    begin, end = (point.x[-1] for point in points)
+    asked = []
+
+    def of_cycles(n_rk, u, params, n_steps, names=None):
+        asked.append(names)
+        share = (params[:, -1] - begin) / (end - begin)
+        jumps = np.where(share < 0.4, early - share + (early == 0.4), -1.0)
+        return {GaitEnd.EARLY_TOUCHDOWN: jumps, GaitEnd.GRAZING: 0.4 - share}
+
+    values = of_cycles(None, None, np.array([[begin], [end]]), 1)
+    ((_, found),) = gait_ends(branch.curve, points, values, Counted(of_cycles), ContinuationOptions())
+    assert found.type is kind
+    assert (found.point.x[-1] - begin) / (end - begin) == pytest.approx(early, abs=1e-10)
+    assert (asked.count([GaitEnd.EARLY_TOUCHDOWN]) == 1) == (kind is GaitEnd.GRAZING)
+
+
 def test_where_rounding_blurs_a_condition_secants_stop():
     """Next to it a zero is not searched for again at the finest resolution, from the whole bracket."""
     (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
