@@ -166,13 +166,8 @@ class _Between:
         for name in sorted(known, key=lambda one: one == GaitEnd.EARLY_TOUCHDOWN):
             if first is not None and (yield from self._holds_until(first.point, name, inside)):
                 continue
-            end = yield from self._located(name, known[name])
-            if end is not None and (first is None or self._away(end, inside) < self._away(first, inside)):
-                first = end
+            first = (yield from self._located(name, known[name])) or first
         return first
-
-    def _away(self, end: End, inside: Array) -> float:
-        return self.curve.norm(end.point.x - inside)
 
     def _holds_until(self, end: CurvePoint, name: GaitEnd, inside: Array) -> Asking[bool]:
         """Whether a condition holds just before an end of another one, so that it is not met earlier."""

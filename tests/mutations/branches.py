@@ -181,7 +181,7 @@ BIFURCATIONS = (
         "SPECIAL_RESIDUAL, SETTLED, SETTLED_NEARLY = 1e-11, 1e-7, 1e-12",
         "SPECIAL_RESIDUAL, SETTLED, SETTLED_NEARLY = 1e-3, 1e-1, 1e-1",
         "special points are where Newton's method has hardly begun",
-        (PITCHFORK,),
+        (DEFINING,),
     ),
     Mutation(
         "solver/branches/defining.py",
@@ -293,8 +293,8 @@ GAITS = (
     ),
     Mutation(
         "solver/branches/ends.py",
-        "(first is None or self._away(end, inside) < self._away(first, inside))",
-        "(first is None or self._away(end, inside) > self._away(first, inside))",
+        "        return here is not None and (yield from self._tried(here, name)) > 0",
+        "        return here is not None or (yield from self._tried(here, name)) > 0",
         "of two conditions the one that is met last ends a gait",
         (f"{MAPS}::test_a_gait_ends_at_the_condition_that_is_met_first",),
     ),

@@ -378,11 +378,13 @@ class Conditions:
         return {name: np.array([f(*row) for row in u]) for name, f in self.functions.items()}
 
 
-def test_a_gait_ends_at_the_condition_that_is_met_first():
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_gait_ends_at_the_condition_that_is_met_first(turned):
     """Along x = p: both are broken at the next point of the branch, the fall before the friction."""
     on = curve(x + x - p)
     coarse = ContinuationOptions(ds=0.2, ds_max=0.2)
-    conditions = Conditions(fall=lambda z, _: 0.5 - z, friction=lambda z, _: np.exp(0.52 - z) - 1)
+    both = {"fall": lambda z, _: 0.5 - z, "friction": lambda z, _: np.exp(0.52 - z) - 1}
+    conditions = Conditions(**dict(reversed(both.items())) if turned else both)
     for back in (False, True):
         points, _ = traced(on, 0.11, 0.11, 0.0, 1.0, coarse)
         points = [point.reversed() for point in reversed(points)] if back else points
