@@ -67,8 +67,11 @@ def specials_between(
     """A search for the bifurcations between two points of a curve, which it returns in order."""
     first, second = tests(curve, one), tests(curve, other)
     crossed = [kind for kind in SpecialType if first[kind] * second[kind] < 0]
+    if not _a_pair_may_cross(one, other):
+        crossed = [kind for kind in crossed if kind != SpecialType.NS]
     change = abs(unstable_count(other) - unstable_count(one))
-    if not change and (not crossed or _hollow(crossed, one, other)):
+    # A doubling would change the count. A multiplier goes through infinity where the foot grazes the ground.
+    if not change and crossed in ([], [SpecialType.PD]):
         return []
     specials = []
     if len(crossed) == 1:
@@ -89,14 +92,16 @@ def specials_between(
     return [special for special in found if special is not None]
 
 
-def _hollow(crossed: list[SpecialType], one: CurvePoint, other: CurvePoint) -> bool:
-    """Whether the only sign that changes between two points, as many multipliers outside, means nothing.
+def _a_pair_may_cross(one: CurvePoint, other: CurvePoint) -> bool:
+    """Whether a pair of complex multipliers may cross the unit circle between two points.
 
-    A multiplier goes through infinity where the foot grazes the ground, and two real ones can have the
-    product 1. A doubling would change how many are outside, and so would a torus, which needs a pair.
+    Two real ones can have the product 1, which changes the sign of the test as well: but then as many
+    multipliers are complex at both points, as many of these are outside, and as many of all.
     """
-    real = not (one.multipliers.imag.any() or other.multipliers.imag.any())
-    return crossed == [SpecialType.PD] or (crossed == [SpecialType.NS] and real)
+    pairs = [point.multipliers[point.multipliers.imag != 0] for point in (one, other)]
+    inside, outside = ([int((sign * (np.abs(some) - 1.0) > 0).sum()) for some in pairs] for sign in (-1, 1))
+    differ = inside[0] != inside[1] or outside[0] != outside[1]
+    return differ or abs(unstable_count(other) - unstable_count(one)) > 1
 
 
 CHANGES = {SpecialType.FOLD: 1, SpecialType.PD: 1, SpecialType.NS: 2, SpecialType.BP: 1}
@@ -128,8 +133,10 @@ def _located(
 
     Newton's method starts from a bracket that is halved until it converges to a point within.
     """
-    sign, growing, real = tests(curve, one)[kind], 0, 0
+    sign, growing = tests(curve, one)[kind], 0
     for _ in range(halvings):
+        if kind == SpecialType.NS and not _a_pair_may_cross(one, other):
+            return None
         guess = _likeliest(curve, kind, one, other)
         reach = REACH * curve.norm(other.x - one.x)
         special = yield from asked(Attempt(kind, curve, guess, reach))
@@ -140,9 +147,8 @@ def _located(
             return None
         largest = max(abs(tests(curve, one)[kind]), abs(tests(curve, other)[kind]))
         growing = growing + 1 if abs(tests(curve, middle)[kind]) > largest else 0
-        real += kind == SpecialType.NS and not any(p.multipliers.imag.any() for p in (one, middle, other))
-        if POLE in (growing, real):
-            return None  # it goes through infinity, where the foot grazes the ground; or there is no pair
+        if growing == POLE:
+            return None  # it goes through infinity, where the foot grazes the ground
         one, other = (middle, other) if tests(curve, middle)[kind] * sign > 0 else (one, middle)
     return None
 
@@ -187,8 +193,7 @@ REACH = 1.0
 """How far beyond a bracket Newton's method may go, in terms of its length: what is there is not in it."""
 
 POLE = 4
-"""Halvings at which a test function grows, after which it has a pole and not a zero; also those at which
-there are real multipliers only, after which two of them have the product 1 and do not make a torus."""
+"""Halvings at which a test function grows, after which it has a pole and not a zero."""
 
 RESOLVED, GAIN = 1e-12, 32.0
 """Error of a special point, in terms of the scale, that needs no finer resolution, and by which factor at

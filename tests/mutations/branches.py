@@ -432,8 +432,8 @@ SPECIAL = (
     ),
     Mutation(
         "solver/branches/special.py",
-        "if not change and (not crossed or _hollow(crossed, one, other)):",
-        "if not crossed or _hollow(crossed, one, other):",
+        "if not change and crossed in ([], [SpecialType.PD]):",
+        "if crossed in ([], [SpecialType.PD]):",
         "two doublings between two points count as none",
         (TWO,),
     ),
