@@ -198,13 +198,16 @@ class _Between:
     def _bracketed(
         self, name: GaitEnd, known: tuple[float, float], n_rk: int, settled: float
     ) -> Asking[_Zero | None]:
-        """Regula falsi (Illinois) on the arclength step, until it changes by less than `settled`."""
+        """Regula falsi (Illinois) on the arclength step, until it changes by less than `settled`.
+
+        Where rounding blurs the condition, it is the best of all trials so near that rounding decides.
+        """
         length = self.length
         low, high = 0.0, length
         x_low, x_high = self.one.x, self.other.x
         f_low, f_high = known
         last = low, f_low
-        found: _Zero | None = None
+        trials: list[tuple[float, _Zero]] = []
         kept = 0  # the side that the last turn kept: 1 for the upper end, -1 for the lower one
         creeping = 0  # turns that hardly changed the condition: where it jumps, secants creep from one end
         for _ in range(LOCATE_ITERATIONS):
@@ -219,7 +222,8 @@ class _Between:
             slope = (f - before[1]) / (ds - before[0]) if ds != before[0] else np.nan
             hardly = not bounded or abs(f) > 0.5 * abs(last[1])
             creeping = min(creeping + 1, 2) if bounded and hardly else int(hardly)
-            found, last = _Zero(here, f, slope), (ds, f)
+            trials.append((ds, _Zero(here, f, slope)))
+            last = ds, f
             left = abs(f / slope) if np.isfinite(slope) and slope != 0.0 else np.inf
             if abs(f) < ROUNDING or (abs(f) < LOCATED and left < settled) or left < 0.01 * settled:
                 break
@@ -235,7 +239,8 @@ class _Between:
                 kept = -1
             if left < settled and settled == ROUGH:
                 break
-        return found
+        near = (zero for ds, zero in trials if abs(ds - last[0]) <= NOISE * length)
+        return min(near, key=lambda zero: abs(zero.f), default=None)
 
     def _refined(self, name: GaitEnd, found: _Zero) -> Asking[_Zero | None]:
         """The same zero at ever finer resolutions, by secants; None where they do not lead there."""
@@ -307,4 +312,5 @@ SECANTS = 8
 """Secants at one resolution."""
 
 NOISE = 1e-6
-"""Part of the distance of two points that a secant must span, so that rounding does not decide its slope."""
+"""Part of the distance of two points that a secant must span, so that rounding does not decide its slope, nor
+which of two trials is nearer to the end."""

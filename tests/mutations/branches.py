@@ -220,6 +220,13 @@ BIFURCATIONS = (
     ),
     Mutation(
         "solver/branches/ends.py",
+        "near = (zero for ds, zero in trials if abs(ds - last[0]) <= NOISE * length)",
+        "near = (zero for ds, zero in trials if ds == last[0])",
+        "an end that rounding blurs is lost if the last trial is a bad one",
+        (f"{ENDS}::test_where_rounding_blurs_a_condition_by_more_than_its_limit_the_best_trial_counts",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
         "sorted(known, key=lambda one: one == GaitEnd.EARLY_TOUCHDOWN)",
         "sorted(known, key=lambda one: one != GaitEnd.EARLY_TOUCHDOWN)",
         "an early touchdown is searched for before it is known where the foot grazes",

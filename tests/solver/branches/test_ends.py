@@ -140,6 +140,19 @@ def test_where_a_condition_jumps_secants_do_not_creep():
     assert 0 < jumps.count <= 15
 
 
+def test_where_rounding_blurs_a_condition_by_more_than_its_limit_the_best_trial_counts():
+    """It is within what rounding leaves open; the last trial of the bisection need not be as good."""
+    (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
+    points = branch.points[:: len(branch.points) - 1]
+    begin, end = (point.x[-1] for point in points)
+    blur = itertools.cycle([3e-11, -4e-12, -5e-11, 2e-11, -3e-11, 4e-11, -2e-11])
+    blurred = given_along(points, lambda share: 0.1 * (0.5 - share) + next(blur))
+    values = {GaitEnd.CONTACT: np.array([0.05, -0.05])}
+    ((_, found),) = gait_ends(branch.curve, points, values, blurred, ContinuationOptions())
+    assert found.residual < 1e-11
+    assert (found.point.x[-1] - begin) / (end - begin) == pytest.approx(0.5, abs=1e-9)
+
+
 @pytest.mark.parametrize(("early", "kind"), [(0.4, GaitEnd.GRAZING), (0.35, GaitEnd.EARLY_TOUCHDOWN)])
 def test_an_early_touchdown_that_appears_where_the_foot_grazes_is_not_searched_for(early, kind):
     """There it appears all at once; met before it is an end of its own."""
