@@ -140,7 +140,7 @@ def test_where_a_condition_jumps_secants_do_not_creep():
     assert 0 < jumps.count <= 15
 
 
-BLUR = (3e-11, -4e-11, 4e-12, -5e-11, 2e-11, -3e-11)
+BLUR = (2e-11, -4e-12, -2e-11, 3e-12, 1.5e-11, -1.5e-11)
 
 
 @pytest.mark.parametrize("first", range(len(BLUR)))
