@@ -150,11 +150,11 @@ def test_where_rounding_blurs_a_condition_by_more_than_its_limit_the_best_trial_
     points = branch.points[:: len(branch.points) - 1]
     begin, end = (point.x[-1] for point in points)
     blur = itertools.cycle(BLUR[first:] + BLUR[:first])
-    blurred = given_along(points, lambda share: 0.1 * (0.5 - share) + next(blur))
-    values = {GaitEnd.CONTACT: np.array([0.05, -0.05])}
+    blurred = given_along(points, lambda share: 1e-3 * (0.5 - share) + next(blur))
+    values = {GaitEnd.CONTACT: np.array([5e-4, -5e-4])}
     ((_, found),) = gait_ends(branch.curve, points, values, blurred, ContinuationOptions())
     assert found.residual < 1e-11
-    assert (found.point.x[-1] - begin) / (end - begin) == pytest.approx(0.5, abs=1e-9)
+    assert (found.point.x[-1] - begin) / (end - begin) == pytest.approx(0.5, abs=3e-8)
 
 
 @pytest.mark.parametrize(("early", "kind"), [(0.4, GaitEnd.GRAZING), (0.35, GaitEnd.EARLY_TOUCHDOWN)])
