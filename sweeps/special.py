@@ -237,7 +237,11 @@ class Locator:
 def _in_turn(
     waiting: list[tuple[int, "_Piece"]], due: Callable[[int, "_Piece"], bool]
 ) -> Iterator[list[tuple[int, "_Piece"]]]:
-    """Pieces of lines on which something is due, many at a time; of those that may share it, one is first."""
+    """Pieces of lines on which something is due, many at a time.
+
+    Of pieces that may share a part of a branch, one comes first; the others come later, when it is known what
+    was found on that one.
+    """
     while waiting:
         now: list[tuple[int, _Piece]] = []
         later: list[tuple[int, _Piece]] = []
@@ -282,7 +286,7 @@ class _Piece:
         return bool(self.differ[[changes.FOLD, changes.BP, changes.UNSTABLE]].any())
 
     def bifurcations(self) -> Asking[list[Special]]:
-        """A search for them."""
+        """A search for bifurcations, in order along the branch."""
         found = yield from specials_between(self.curve, self.one, self.other, ContinuationOptions())
         self._lost += self._missing({special.type for special in found})
         return found
@@ -414,7 +418,10 @@ class _Piece:
         self._found.append((self._along(special.x), str(special.type), special.x, values))
 
     def criticality(self, special: Special) -> Asking[str | None]:
-        """A search for which way a doubling is, and None of another bifurcation."""
+        """A search that returns whether a doubling is super- or subcritical.
+
+        It returns None for other bifurcations, and where the doubled branch is not found.
+        """
         if special.type != SpecialType.PD:
             return None
         switched = yield from doubled(self.curve, special, ContinuationOptions())

@@ -167,10 +167,6 @@ class Curve(ZeroCurve):
         """Residuals, with the derivatives at points near by."""
         return near, residuals([curve.equations for curve in curves], x, n_rk)
 
-    def second(self, x: Array, v: Array, n_rk: int) -> Array:
-        """Derivative of ``DR[v]`` with respect to x, shape (N, N + 1): see `CycleEquations.second`."""
-        return self.equations.second(x, v, n_rk)
-
     def n_rk(self, x: Array) -> int:
         """RK steps per walking step that cycles near x need."""
         return self.equations.n_rk(x)

@@ -130,7 +130,8 @@ class Attempt(Question[Special | None]):
     reach : float
         It is not looked for farther away, in terms of the scale.
     before : Special, optional
-        The same at a coarser resolution. It moves so little that its slope and the gradient of g stay.
+        The same at a coarser resolution. It moves so little that, of a bordered system, its slope and the
+        gradient of g stay.
     """
 
     type: SpecialType
@@ -228,7 +229,8 @@ class _System(ABC):
             linear = self._linear(open_, matrix, residual)
             change = solved(linear.rows, -linear.right)
             good, length = np.isfinite(change).all(axis=1), self._norm(change[:, : self.x.shape[1]])
-            near = (linear.size < SPECIAL_RESIDUAL) & self._settled(open_, length, last[open_])
+            near = (linear.size < SPECIAL_RESIDUAL) & self._settled(open_, length)
+            self._stepped(open_, length, last[open_])
             last[open_] = length
             self._move(open_[good], change[good])
             good &= self._norm(self.x[open_] - self.begin[open_]) <= self.reach[open_]
@@ -244,9 +246,12 @@ class _System(ABC):
         """The guesses from which a system can be solved."""
         return np.arange(len(self.curves))
 
-    def _settled(self, open_: Index, length: Array, last: Array) -> Mask:
+    def _settled(self, open_: Index, length: Array) -> Mask:
         """Whether steps are so short, in terms of the scale, that the next ones would be lost in rounding."""
         return np.asarray(length < SETTLED)
+
+    def _stepped(self, open_: Index, length: Array, last: Array) -> None:  # noqa: B027
+        """Take note of the lengths of steps, and of the steps before."""
 
     def _linearised(self, open_: Index) -> tuple[Index, Array, Array]:
         """Those of some points at which there are derivatives, with these and the residuals."""
@@ -293,11 +298,12 @@ class _BorderedSystem(_System):
         # Whether the gradient is that of an earlier point.
         self._kept = np.full(len(self.curves), bool(given))
 
-    def _settled(self, open_: Index, length: Array, last: Array) -> Mask:
-        """The same; the gradient stays where steps become shorter fast."""
-        settled = length < np.where(self._kept[open_], SETTLED_NEARLY, SETTLED)
+    def _settled(self, open_: Index, length: Array) -> Mask:
+        return np.asarray(length < np.where(self._kept[open_], SETTLED_NEARLY, SETTLED))
+
+    def _stepped(self, open_: Index, length: Array, last: Array) -> None:
+        """The gradient stays where steps become shorter fast."""
         self._kept[open_] = length < SHORTER * last
-        return np.asarray(settled)
 
     def _bordered(self, open_: Index, singular: NDArray[Any]) -> tuple[_Bordered, NDArray[Any]]:
         """The bordered systems, with the same borders in each Newton step, and gradients of g."""
@@ -325,17 +331,23 @@ class _BorderedSystem(_System):
 
     def _specials(self, open_: Index, matrix: Array, linear: _Linear) -> list[Special | None]:
         assert self._borders is not None
+        each = zip(open_.tolist(), matrix, strict=True)
+        tangents = np.array([self.curves[i].tangent(one, self.guesses[i].tangent) for i, one in each])
         before = [one for i in open_.tolist() if (one := self.before[i]) is not None]
-        new = [] if before else self._slopes(open_, matrix, linear).tolist()
-        slopes = new or [one.slope for one in before]
+        if before:
+            slopes = [one.slope for one in before]
+        else:
+            slopes = self._slopes(open_, tangents, linear).tolist()
         out: list[Special | None] = []
         for row, i in enumerate(open_.tolist()):
-            curve, multiplier = self.curves[i], self._multiplier(i)
-            border = Border(*(one[i] for one in self._borders))
-            direction = float(curve.tangent(matrix[row], self.guesses[i].tangent)[-1])
-            here = self.x[i].copy(), curve.multipliers(matrix[row]), linear.w[row], float(linear.size[row])
-            found = Special(self.type, *here, slopes[row], multiplier, direction, border)
-            out.append(found if self._counts(i) else None)
+            if not self._counts(i):
+                out.append(None)
+                continue
+            border = Border(*(one[i].copy() for one in self._borders))
+            multipliers, size = self.curves[i].multipliers(matrix[row]), float(linear.size[row])
+            here = self.x[i].copy(), multipliers, _signed(linear.w[row], self.scale[:-1]), size
+            multiplier, direction = self._multiplier(i), float(tangents[row, -1])
+            out.append(Special(self.type, *here, slopes[row], multiplier, direction, border))
         return out
 
     def _counts(self, i: int) -> bool:
@@ -347,17 +359,13 @@ class _BorderedSystem(_System):
         """The multiplier that crosses the unit circle."""
 
     @abstractmethod
-    def _slopes(self, open_: Index, matrix: Array, linear: _Linear) -> Array:
+    def _slopes(self, open_: Index, tangents: Array, linear: _Linear) -> Array:
         """Changes along the curves, per unit of arclength, of what passes through a value."""
 
-    def _tangents(self, open_: Index, matrix: Array) -> Array:
-        parts = zip(open_.tolist(), matrix, strict=True)
-        return np.array([self.curves[i].tangent(one, self.guesses[i].tangent) for i, one in parts])
-
-    def _changes(self, open_: Index, matrix: Array, linear: _Linear) -> NDArray[Any]:
+    def _changes(self, open_: Index, tangents: Array, linear: _Linear) -> NDArray[Any]:
         """Change of the multiplier along the curve: since M w = 0 there, psi' dM w / psi' W w."""
         gradient = self._gradient(open_, linear.w / self.scale[:-1], linear.psi)
-        changes: NDArray[Any] = -(gradient * self._tangents(open_, matrix)).sum(axis=1)
+        changes: NDArray[Any] = -(gradient * tangents).sum(axis=1)
         return changes / (linear.psi * (linear.w @ self.weave.T)).sum(axis=1)
 
 
@@ -382,7 +390,7 @@ class _Fold(_RealMultiplier):
 
     type, multiplier = SpecialType.FOLD, 1.0
 
-    def _slopes(self, open_: Index, matrix: Array, linear: _Linear) -> Array:
+    def _slopes(self, open_: Index, tangents: Array, linear: _Linear) -> Array:
         """Change of the tangent's parameter: not zero where the curve turns back."""
         v = linear.w / self._norm(np.concatenate([linear.w, np.zeros((len(open_), 1))], axis=1))[:, None]
         along = linearised(self._equations(open_), self.x[open_], self.n_rk[open_])[0][:, :, -1]
@@ -397,9 +405,9 @@ class _Doubling(_RealMultiplier):
 
     type, multiplier = SpecialType.PD, -1.0
 
-    def _slopes(self, open_: Index, matrix: Array, linear: _Linear) -> Array:
+    def _slopes(self, open_: Index, tangents: Array, linear: _Linear) -> Array:
         """Changes of the multipliers."""
-        return self._changes(open_, matrix, linear)
+        return self._changes(open_, tangents, linear)
 
 
 class _Torus(_BorderedSystem):
@@ -440,9 +448,9 @@ class _Torus(_BorderedSystem):
     def _multiplier(self, i: int) -> complex:
         return complex(np.exp(1j * self.theta[i]))
 
-    def _slopes(self, open_: Index, matrix: Array, linear: _Linear) -> Array:
+    def _slopes(self, open_: Index, tangents: Array, linear: _Linear) -> Array:
         """Changes of the moduli: the components of the multipliers' changes along these."""
-        slopes: Array = (self._changes(open_, matrix, linear) / np.exp(1j * self.theta[open_])).real
+        slopes: Array = (self._changes(open_, tangents, linear) / np.exp(1j * self.theta[open_])).real
         return slopes
 
 
@@ -496,6 +504,14 @@ class _BranchPoint(_System):
             here = self.x[i].copy(), multipliers, across * self.scale, size, slope
             out.append(Special(self.type, *here, 1.0 + 0.0j, float(guess.tangent[-1])))
         return out
+
+
+def _signed(w: NDArray[Any], scale: Array) -> NDArray[Any]:
+    """A null vector with its largest entry, in terms of the scale, positive: real ones have two signs."""
+    if np.iscomplexobj(w):
+        return w.copy()
+    signed: Array = w if w[np.abs(w / scale).argmax()] > 0 else -w
+    return signed.copy()
 
 
 def _product(vectors: NDArray[Any], matrices: NDArray[Any]) -> NDArray[Any]:

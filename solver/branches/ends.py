@@ -1,7 +1,7 @@
 """Where gaits end along a curve of cycles: points at which one of the conditions of a gait is zero."""
 
 from collections.abc import Hashable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Self
 
@@ -126,7 +126,7 @@ def searches(
             if not holds[name][outside]
         }
         between = _Between(curve, points[number], points[number + 1], conditions, options)
-        yield number, between.first_met(known, points[inside].x)
+        yield number, between.first_met(known, inside == number)
 
 
 @dataclass(frozen=True)
@@ -156,24 +156,50 @@ class _Between:
     def _along(self, x: Array) -> float:
         return self.curve.dot(x - self.one.x, self.one.tangent)
 
-    def first_met(self, known: dict[GaitEnd, tuple[float, float]], inside: Array) -> Search:
-        """Of several conditions that are broken on one side, the end that is met first from the other.
+    def first_met(self, known: dict[GaitEnd, tuple[float, float]], begins: bool) -> Search:
+        """Of several conditions that are broken at one point, the end that is met first from the other.
 
-        They are `known` at both points.
+        Parameters
+        ----------
+        known : dict of GaitEnd to (float, float)
+            Values of the conditions at `one` and at `other`.
+        begins : bool
+            Whether they hold at `one`, and not at `other`.
         """
-        first: End | None = None
-        # Where the foot grazes the ground an early touchdown appears all at once, which no secant locates.
-        for name in sorted(known, key=lambda one: one == GaitEnd.EARLY_TOUCHDOWN):
-            if first is not None and (yield from self._holds_until(first.point, name, inside)):
-                continue
-            first = (yield from self._located(name, known[name])) or first
+        part, broken, first = self, known, None
+        while broken:
+            # Where the foot grazes the ground an early touchdown appears all at once: no secant locates that.
+            for name in sorted(broken, key=lambda one: one == GaitEnd.EARLY_TOUCHDOWN):
+                found = yield from part._located(name, broken[name])
+                if found is not None:
+                    break
+            else:
+                return None  # one of them is met first, but where?
+            if first is not None and not self._away(found, begins) < self._away(first, begins):
+                break  # rounding does not tell which of them is
+            first = found
+            part, broken = yield from self._until(first, known, begins)
         return first
 
-    def _holds_until(self, end: CurvePoint, name: GaitEnd, inside: Array) -> Asking[bool]:
-        """Whether a condition holds just before an end of another one, so that it is not met earlier."""
-        before = end.x + JUST * (inside - end.x)
-        here = yield from self._corrected(before, self._along(before) / self.length, end.n_rk)
-        return here is not None and (yield from self._tried(here, name)) > 0
+    def _away(self, end: End, begins: bool) -> float:
+        """Distance of an end from the point at which the conditions hold."""
+        return self.curve.norm(end.point.x - (self.one if begins else self.other).x)
+
+    def _until(
+        self, end: End, known: dict[GaitEnd, tuple[float, float]], begins: bool
+    ) -> Asking[tuple["_Between", dict[GaitEnd, tuple[float, float]]]]:
+        """The part up to just before an end, and those other conditions that are broken there."""
+        back = (self.one if begins else self.other).x - end.point.x
+        guess = end.point.x + min(JUST / max(self.curve.norm(back), JUST), 0.5) * back
+        here = yield from self._corrected(guess, self._along(guess) / self.length, end.point.n_rk)
+        before, broken = here or end.point, {}
+        for name, (one, other) in known.items():
+            if name == end.type:
+                continue
+            f = yield from self._tried(before, name)
+            if not f > 0:
+                broken[name] = (one, f) if begins else (f, other)
+        return replace(self, other=before) if begins else replace(self, one=before), broken
 
     def _located(self, name: GaitEnd, known: tuple[float, float]) -> Search:
         """Where a condition is zero.
@@ -305,8 +331,8 @@ UNCHANGED = 3e-11
 """Change of an end at twice the resolution that needs no finer one, in terms of the scale: the next would be
 a hundredth of it, or less. Where rounding keeps the condition from becoming smaller, so near will do."""
 
-JUST = 1e-6
-"""Part of the way back from an end at which other conditions are looked at: more than rounding moves it."""
+JUST = 1e-9
+"""How far before an end others are looked at, in terms of the scale: farther than rounding moves it."""
 
 SECANTS = 8
 """Secants at one resolution."""

@@ -190,7 +190,8 @@ def _within(curve: Curve, one: CurvePoint, other: CurvePoint, x: Array) -> bool:
 
 
 REACH = 1.0
-"""How far beyond a bracket Newton's method may go, in terms of its length: what is there is not in it."""
+"""How far from its guess within a bracket Newton's method may go, in terms of the bracket's length. What it
+finds farther away is not in the bracket; to see that takes many steps with second derivatives."""
 
 POLE = 4
 """Halvings at which a test function grows, after which it has a pole and not a zero."""

@@ -207,6 +207,27 @@ POINTS = (
     ),
     Mutation(
         "sweeps/special.py",
+        "contact[of_cycles].tolist()",
+        "contact.tolist()[: len(located)]",
+        "whether a bifurcation is a gait's is said of another one",
+        (f"{SPECIAL}::test_each_bifurcation_of_a_cycle_is_entered_where_it_was_found",),
+    ),
+    Mutation(
+        "sweeps/special.py",
+        "            met[line] += found\n",
+        "            met[line] += ()\n",
+        "bifurcations that two stretches share are located on both",
+        (f"{SPECIAL}::test_what_two_stretches_share_is_looked_for_on_one_of_them",),
+    ),
+    Mutation(
+        "sweeps/special.py",
+        "(later if shared else now).append((line, piece))",
+        "now.append((line, piece))",
+        "no piece waits for what is found on another one that is near",
+        (f"{SPECIAL}::test_what_two_stretches_share_is_looked_for_on_one_of_them",),
+    ),
+    Mutation(
+        "sweeps/special.py",
         "del others[GaitEnd.CONTACT]",
         "others.pop(GaitEnd.GRAZING)",
         "limit cycles end where the foot loses contact, and not where it grazes the ground",

@@ -69,7 +69,7 @@ class MapKernels:
         return tuple(sp.lambdify(unknowns, one, "numpy") for one in (residual, first, second))
 
     def _each(self, number, n_rk, u, params):
-        off = self.error * (24 / n_rk) ** 8 if self.error else 0.0
+        off = self.error * (24 / np.reshape(n_rk, (-1, 1))) ** 8 if self.error else 0.0
         with np.errstate(all="ignore"):
             rows = [self.functions[number](*a, *b) for a, b in zip(u, params + off, strict=True)]
         return np.array(rows, dtype=float)

@@ -3,6 +3,7 @@
 import dataclasses
 import itertools
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pyarrow as pa
@@ -10,13 +11,14 @@ import pytest
 
 import stridemap
 from stridemap.errors import InputError
+from stridemap.solver.branches.conditions import GaitEnd
 from stridemap.solver.model.loading import load
 from stridemap.sweeps.config import parse_config
 from stridemap.sweeps.grid import Grid
 from stridemap.sweeps.parts import columns_of, part_table, result_of
 from stridemap.sweeps.reading import read_sweep
 from stridemap.sweeps.run import sweep
-from stridemap.sweeps.special import NOT_LOCATED, SpecialPoint
+from stridemap.sweeps.special import NOT_LOCATED, Locator, SpecialPoint, _in_turn
 from stridemap.sweeps.special_columns import special_columns
 from stridemap.sweeps.special_tables import in_order, special_table_of
 from stridemap.sweeps.store import SPECIAL, read_orbits, read_special
@@ -228,6 +230,67 @@ def test_the_order_and_what_is_one_point():
     twice = [point(0.7, (0.1, -0.1, 3.0), branch=branch) for branch in (7, 2)]
     table = special_table_of(model, special_columns(model, grid, {}, twice))
     assert [r["branch"] for r in in_order(model, "slope", 1.0, table).to_pylist()] == [2]
+
+
+class Piece:
+    """A part of a branch at a place, on which things were found at other places."""
+
+    def __init__(self, place, *found):
+        self.place, self.found, self.entered = place, found, []
+        self.curve = SimpleNamespace(equations=SimpleNamespace(point=lambda values: values))
+        self.one = self.other = SimpleNamespace(n_rk=48)
+
+    def is_near(self, other):
+        return abs(self.place - other.place) < 1
+
+    def has_bifurcations(self):
+        return True
+
+    def bifurcations_are_among(self, met):
+        return any(abs(special.x[-1] - self.place) < 1 for special in met)
+
+    def bifurcations(self):
+        return [SimpleNamespace(x=np.array([0.0, at])) for at in self.found]
+        yield  # a search that asks nothing
+
+    def criticality(self, special):
+        return f"at {special.x[-1]:g}"
+        yield
+
+    def enter(self, special, criticality, gait):
+        self.entered.append((special.x[-1], criticality, gait))
+
+
+class Conditions:
+    """Solutions at even places are cycles; those at places above 10 keep contact."""
+
+    def of_cycles(self, n_rk, u, params, n_steps):
+        assert n_rk == [96] * len(u)  # twice that of the points
+        places = params[:, -1]
+        return {
+            GaitEnd.GRAZING: np.where(places % 2 == 0, 1.0, -1.0),
+            GaitEnd.CONTACT: np.where(places > 10, 1.0, -1.0),
+        }
+
+
+@pytest.mark.quick
+def test_each_bifurcation_of_a_cycle_is_entered_where_it_was_found():
+    """Whether it is a gait is its own; solutions that are no cycles stand before some that are."""
+    first, second = Piece(0, 1.0, 2.0, 14.0), Piece(20, 3.0, 20.0, 5.0, 6.0)
+    Locator(Conditions(), "k", 0.0, 1.0)._find_bifurcations([(0, first), (0, second)])
+    assert first.entered == [(2.0, "at 2", False), (14.0, "at 14", True)]
+    assert second.entered == [(20.0, "at 20", True), (6.0, "at 6", False)]
+
+
+@pytest.mark.quick
+def test_what_two_stretches_share_is_looked_for_on_one_of_them():
+    """On one line; on another one it is something else. Where one finds nothing, the other one looks."""
+    pieces = [Piece(0, 0.0), Piece(0.5, 0.0), Piece(4), Piece(4.5, 4.0), Piece(0, 0.0)]
+    waiting = [(0, piece) for piece in pieces[:-1]] + [(1, pieces[-1])]
+    Locator(Conditions(), "k", 0.0, 1.0)._find_bifurcations(waiting)
+    assert [[at for at, _, _ in piece.entered] for piece in pieces] == [[0.0], [], [], [4.0], [0.0]]
+    turns = [[piece.place for _, piece in turn] for turn in _in_turn(waiting, lambda *_: True)]
+    assert turns == [[0, 4, 0], [0.5, 4.5]]
 
 
 def test_a_part_keeps_special_points(wobbling):

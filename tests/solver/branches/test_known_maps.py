@@ -261,7 +261,7 @@ def test_second_derivatives_are_differences_of_the_first():
 
         size = 1e-5
         columns = [(along(at + size * e) - along(at - size * e)) / (2 * size) for e in np.eye(7)]
-        np.testing.assert_allclose(two.second(at, v, 24), np.array(columns).T, rtol=0, atol=1e-8)
+        np.testing.assert_allclose(two.equations.second(at, v, 24), np.array(columns).T, rtol=0, atol=1e-8)
 
 
 def test_every_point_of_a_branch_closes_to_rounding():
@@ -403,6 +403,52 @@ def test_a_condition_that_is_broken_on_both_sides_hides_others():
     ((number, end),) = gait_ends(on, points, conditions_along(on, points, conditions), conditions, OPTIONS)
     assert end.type is GaitEnd.FRICTION
     assert points[number].x[0] < end.point.x[0] < points[number + 1].x[0]
+
+
+def ends_of_line(turned, back, **functions):
+    """Ends of gaits between x = 0 and x = 1 on the line x = p, with conditions in either order."""
+    on = curve(x + x - p)
+    points = [started(on, z, z) for z in (0.0, 1.0)]
+    points = [point.reversed() for point in reversed(points)] if back else points
+    conditions = Conditions(**dict(reversed(functions.items())) if turned else functions)
+    return list(gait_ends(on, points, conditions_along(on, points, conditions), conditions, OPTIONS))
+
+
+BOTH_WAYS = pytest.mark.parametrize(("turned", "back"), [*itertools.product([False, True], repeat=2)])
+
+
+@BOTH_WAYS
+@pytest.mark.parametrize("zeros", [(0.3, 0.45, 0.7), (0.3, 0.5, 0.9), (0.35, 0.6, 0.8)])
+def test_a_condition_that_is_met_several_times_ends_a_gait_where_it_is_met_first(turned, back, zeros):
+    """It is broken before another one is, holds again, and is broken for good."""
+    ((_, end),) = ends_of_line(
+        turned,
+        back,
+        friction=lambda z, _: 0.4 - z,
+        contact=lambda z, _: -np.prod([z - zero for zero in zeros]),
+    )
+    assert end.type is GaitEnd.CONTACT
+    assert end.point.x[0] == pytest.approx(zeros[0], abs=1e-11)
+
+
+@BOTH_WAYS
+@pytest.mark.parametrize("apart", [1e-7, 1e-8])
+def test_of_two_ends_near_each_other_the_first_one_counts(turned, back, apart):
+    ((_, end),) = ends_of_line(
+        turned, back, friction=lambda z, _: 0.4 - z, contact=lambda z, _: 0.4 - apart - z
+    )
+    assert end.type is GaitEnd.CONTACT
+    assert end.point.x[0] == pytest.approx(0.4 - apart, abs=1e-11)
+
+
+@BOTH_WAYS
+@pytest.mark.parametrize(("jump", "found"), [(0.3, False), (0.6, True)])
+def test_a_condition_that_jumps_hides_ends_behind_it(turned, back, jump, found):
+    """The gait has ended where it jumps, which is not located."""
+    ends = ends_of_line(
+        turned, back, friction=lambda z, _: 0.4 - z, contact=lambda z, _: 1.0 if z < jump else -1.0
+    )
+    assert [end.type for _, end in ends] == [GaitEnd.FRICTION] * found
 
 
 @pytest.mark.parametrize("wall", [0.7, 1.9])
