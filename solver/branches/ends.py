@@ -191,15 +191,17 @@ class _Between:
         """The part up to just before an end, and those other conditions that are broken there."""
         back = (self.one if begins else self.other).x - end.point.x
         guess = end.point.x + min(JUST / max(self.curve.norm(back), JUST), 0.5) * back
-        here = yield from self._corrected(guess, self._along(guess) / self.length, end.point.n_rk)
-        before, broken = here or end.point, {}
+        found = yield from self._corrected(guess, self._along(guess) / self.length, end.point.n_rk)
+        here, broken = found or end.point, {}
         for name, (one, other) in known.items():
             if name == end.type:
                 continue
-            f = yield from self._tried(before, name)
+            f = yield from self._tried(here, name)
             if not f > 0:
                 broken[name] = (one, f) if begins else (f, other)
-        return replace(self, other=before) if begins else replace(self, one=before), broken
+        # The search for an earlier one begins at the resolution of the points, as that for this one did.
+        here = replace(here, n_rk=max(self.one.n_rk, self.other.n_rk))
+        return replace(self, other=here) if begins else replace(self, one=here), broken
 
     def _located(self, name: GaitEnd, known: tuple[float, float]) -> Search:
         """Where a condition is zero.
@@ -207,7 +209,9 @@ class _Between:
         It is found at the resolution of the points first, and then at ever finer ones until it does not
         change any more.
         """
-        found = yield from self._bracketed(name, known, max(self.one.n_rk, self.other.n_rk), ROUGH)
+        found, n_rk = None, max(self.one.n_rk, self.other.n_rk)
+        if n_rk < CYCLE_N_RK[-1]:
+            found = yield from self._bracketed(name, known, n_rk, ROUGH)
         if found is not None:
             found = yield from self._refined(name, found)
         if found is None:

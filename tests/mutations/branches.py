@@ -227,7 +227,7 @@ BIFURCATIONS = (
     ),
     Mutation(
         "solver/branches/ends.py",
-        "return replace(self, other=before) if begins else replace(self, one=before), broken",
+        "return replace(self, other=here) if begins else replace(self, one=here), broken",
         "return self, {}",
         "a condition that is broken more than once ends a gait at any of its zeros",
         (f"{MAPS}::test_a_condition_that_is_met_several_times_ends_a_gait_where_it_is_met_first",),
@@ -238,6 +238,13 @@ BIFURCATIONS = (
         "return first",
         "a gait goes on where one of its conditions jumps",
         (f"{MAPS}::test_a_condition_that_jumps_hides_ends_behind_it",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "if n_rk < CYCLE_N_RK[-1]:",
+        "if n_rk <= CYCLE_N_RK[-1]:",
+        "ends between points of the finest resolution are rough, and so none",
+        (f"{ENDS}::test_an_end_between_points_of_the_finest_resolution_is_exact",),
     ),
     Mutation(
         "solver/branches/ends.py",

@@ -1,6 +1,7 @@
 """Where gaits end along a branch, against the measures and an event-driven integrator."""
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.ends import conditions_along, gait_ends
 from stridemap.solver.cycles.search import find_all
 from stridemap.solver.cycles.solver import Solver
+from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.model.loading import load
 from stridemap.solver.options import ContinuationOptions, SearchOptions
 from stridemap.solver.walks.swing import swing
@@ -128,6 +130,18 @@ def test_an_end_takes_few_trials():
         assert end.residual < 1e-11
         assert end.point.x == pytest.approx(branch.ends[0][1].point.x, rel=0, abs=1e-10)
         assert counted.count <= 20
+
+
+def test_an_end_between_points_of_the_finest_resolution_is_exact():
+    """There is no finer one at which a rough zero would be refined."""
+    (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
+    points = [replace(point, n_rk=CYCLE_N_RK[-1]) for point in branch.points[:: len(branch.points) - 1]]
+    bent = given_along(points, lambda share: np.exp(0.3 - share) - 1)
+    values = {GaitEnd.CONTACT: np.array([np.exp(0.3) - 1, np.exp(-0.7) - 1])}
+    begin, end = (point.x[-1] for point in points)
+    ((_, found),) = gait_ends(branch.curve, points, values, bent, ContinuationOptions())
+    assert found.residual < 1e-11
+    assert (found.point.x[-1] - begin) / (end - begin) == pytest.approx(0.3, abs=1e-11)
 
 
 def test_where_a_condition_jumps_secants_do_not_creep():
