@@ -136,10 +136,10 @@ def test_an_end_between_points_of_the_finest_resolution_is_exact():
     """There is no finer one at which a rough zero would be refined."""
     (branch, *_) = stridemap.branches("simplest_walker", "slope", (0.005, 0.015), seeds=1)
     points = [replace(point, n_rk=CYCLE_N_RK[-1]) for point in branch.points[:: len(branch.points) - 1]]
-    bent = given_along(points, lambda share: np.exp(0.3 - share) - 1)
-    values = {GaitEnd.CONTACT: np.array([np.exp(0.3) - 1, np.exp(-0.7) - 1])}
+    steep = given_along(points, lambda share: 100 * np.expm1(3 * (0.3 - share)))
+    values = {GaitEnd.CONTACT: 100 * np.expm1([0.9, -2.1])}
     begin, end = (point.x[-1] for point in points)
-    ((_, found),) = gait_ends(branch.curve, points, values, bent, ContinuationOptions())
+    ((_, found),) = gait_ends(branch.curve, points, values, steep, ContinuationOptions())
     assert found.residual < 1e-11
     assert (found.point.x[-1] - begin) / (end - begin) == pytest.approx(0.3, abs=1e-11)
 
