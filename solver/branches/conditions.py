@@ -146,11 +146,13 @@ def _inner_touchdown_margin(trace: Trace) -> Array:
 
     The foot comes near the ground at turning points within the step. Where it stays above, its height counts,
     or by how much a touchdown is not admissible there; where it does not, what counts is where it passed the
-    ground on its way down. The least over all turning points is continuous where one reaches the ground, and
-    where one becomes admissible. It is infinite where there is no turning point.
+    ground on its way down, and how high it was before. Where it was not above the ground before, it is by how
+    much it was not. The least over all turning points is continuous where one reaches the ground, from above
+    or from below, and where one becomes admissible. It is infinite where there is no turning point.
     """
-    found = turning_brackets(trace, "touchdown")
-    found = found.take(found.f_lower > found.f_upper)  # maxima only
+    turns = turning_brackets(trace, "touchdown")
+    lowest = turns.f_lower > turns.f_upper  # maxima of the condition
+    found = turns.take(lowest)
     margin = np.full(len(trace.period), np.inf)
     if not len(found.orbit):
         return margin
@@ -172,6 +174,12 @@ def _inner_touchdown_margin(trace: Trace) -> Array:
         each[below[~just]] = np.inf
         there = below[known & ~just]
         each[there] = np.maximum(-g[there], beside[order][before[known & ~just]])
+        above = np.flatnonzero(lowest)[below] - 1
+        turned = (above >= 0) & (turns.orbit[above] == found.orbit[below]) & ~lowest[above]
+        if turned.any():
+            there = below[turned]
+            _, depth, beside = _located(trace, turns.take(above[turned]))
+            each[there] = np.maximum(np.where(depth > 0, beside, each[there]), depth)
     # At the ends of the step the condition is zero: a turning point there is the beginning or the end itself.
     h = trace.h[found.orbit]
     inner = (time > 1e-3 * h) & (time < trace.period[found.orbit] - 1e-3 * h)

@@ -247,6 +247,13 @@ BIFURCATIONS = (
         (f"{ENDS}::test_an_end_between_points_of_the_finest_resolution_is_exact",),
     ),
     Mutation(
+        "solver/branches/conditions.py",
+        "np.maximum(np.where(depth > 0, beside, each[there]), depth)",
+        "each[there]",
+        "a foot that no longer comes up before it swings on below the ground ends no early touchdown",
+        (f"{ENDS}::test_a_gait_ends_where_the_foot_touches_down_early",),
+    ),
+    Mutation(
         "solver/branches/ends.py",
         "JUST = 1e-9",
         "JUST = 1e-6",
@@ -349,8 +356,8 @@ GAITS = (
     ),
     Mutation(
         "solver/branches/conditions.py",
-        "found = found.take(found.f_lower > found.f_upper)  # maxima only",
-        "found = found.take(found.f_lower < found.f_upper)",
+        "lowest = turns.f_lower > turns.f_upper",
+        "lowest = turns.f_lower < turns.f_upper",
         "an early touchdown is looked for where the foot is highest",
         (f"{ENDS}::test_a_gait_ends_where_the_foot_touches_down_early",),
     ),

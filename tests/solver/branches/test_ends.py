@@ -203,10 +203,20 @@ def test_where_rounding_blurs_a_condition_secants_stop():
     assert blurred.count <= 20
 
 
-def test_a_gait_ends_where_the_foot_touches_down_early():
-    """On one side the integrator walks the cycle; on the other its foot is down before the step ends."""
-    given = {"alpha": 0.25, "omega": 3.0}
-    found = stridemap.branches("wobbling", "k", (6.3, 6.6), given, seeds=1, search={"starts": 128})
+@pytest.mark.parametrize(
+    ("given", "k", "starts"),
+    [
+        ({"alpha": 0.25, "omega": 3.0}, (6.3, 6.6), 128),
+        ({"alpha": 0.5, "omega": 3.5}, (1.32, 1.345), 512),
+    ],
+    ids=["from above", "from below"],
+)
+def test_a_gait_ends_where_the_foot_touches_down_early(given, k, starts):
+    """On one side the integrator walks the cycle; on the other its foot is down before the step ends.
+
+    It comes down to the ground there; or it does not come up any more before it swings on below the ground.
+    """
+    found = stridemap.branches("wobbling", "k", k, given, seeds=2, search={"starts": starts})
     (end,) = (point for point in found.special if point.type == "early_touchdown")
     assert end.residual < 1e-11
     points = found.to_frame().query(f"branch == {end.branch}").reset_index(drop=True)
