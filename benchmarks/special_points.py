@@ -15,9 +15,9 @@ import numpy as np
 
 import stridemap
 from stridemap.solver.branches.arclength import CurvePoint, advanced
+from stridemap.solver.branches.bifurcation import SpecialType
 from stridemap.solver.branches.branches import Branches, SpecialPoint
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
-from stridemap.solver.branches.defining import SpecialType
 from stridemap.solver.branches.special import tests, unstable_count
 from stridemap.solver.branches.survey import Branch
 from stridemap.solver.model.loading import available, load

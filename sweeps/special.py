@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.asking import Asking, together
+from stridemap.solver.branches.bifurcation import Special, SpecialType
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.cubics import cubics, value
 from stridemap.solver.branches.curve import Correction, Curve
-from stridemap.solver.branches.defining import Special, SpecialType
 from stridemap.solver.branches.ends import End, Search, conditions_along, searches
 from stridemap.solver.branches.special import CHANGES, specials_between, tests
 from stridemap.solver.branches.switching import doubled, supercritical

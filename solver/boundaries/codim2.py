@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from stridemap.solver.boundaries.systems import BoundaryCurve, MultiplierBoundary, Null, TorusBoundary
 from stridemap.solver.branches.arclength import CurvePoint
-from stridemap.solver.branches.defining import wrap
+from stridemap.solver.branches.bordered import wrap
 from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.linear import solved

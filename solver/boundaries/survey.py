@@ -15,8 +15,8 @@ from stridemap.solver.boundaries.systems import (
     TorusBoundary,
 )
 from stridemap.solver.branches.arclength import CurvePoint, EndReason, Window, both_ways, passes_through
+from stridemap.solver.branches.bifurcation import SpecialType
 from stridemap.solver.branches.conditions import GaitEnd
-from stridemap.solver.branches.defining import SpecialType
 from stridemap.solver.branches.ends import End, conditions_along, gait_ends
 from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.branches.survey import Branch, Survey

@@ -2,7 +2,7 @@
 
 Every system is ``R(u, p) = 0`` of `solver.branches.equations` with one equation more, so that its solutions
 are a curve, which `solver.branches.arclength` follows like a branch. With M(lambda) as in
-`solver.branches.defining`, lambda is a multiplier where the smallest singular value of M is zero; bordered by
+`solver.branches.bordered`, lambda is a multiplier where the smallest singular value of M is zero; bordered by
 its own singular vectors psi and w, the equation is
 
     g = -sigma,    dg = -psi' dM w,
@@ -18,9 +18,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from stridemap.solver.branches.bordered import wrap
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import ZeroCurve
-from stridemap.solver.branches.defining import wrap
 from stridemap.solver.branches.equations import CycleEquations
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from stridemap.columns import described
 from stridemap.services import service
 from stridemap.solver.branches.arclength import ends_in_words
-from stridemap.solver.branches.defining import Special, SpecialType
+from stridemap.solver.branches.bifurcation import Special, SpecialType
 from stridemap.solver.branches.ends import End
 from stridemap.solver.branches.survey import Branch
 from stridemap.solver.branches.tables import cycle_columns, pair, point_row, save_tables

@@ -1,26 +1,14 @@
 """Systems of equations of which bifurcations are regular solutions, and Newton's method on them.
 
-With the derivative J of a chain's residual, W the part of it that leads from the last step back to the first,
-and
-
-    M(lambda) = J + (1 - lambda) W,
-
-lambda is a Floquet multiplier of the cycle where M(lambda) is singular. Bordered by any two vectors b and c,
-
-    [ M  b ] [ w ]   [ 0 ]
-    [ c' 0 ] [ g ] = [ 1 ]
-
-g is zero there and smooth, and its derivative is ``-psi' dM w`` with the solution psi of the transposed
-system (W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, chapter 3). So ``R = 0,
-g = 0`` is a regular system for a fold (lambda = 1), a period doubling (-1), and, with the angle as one more
-unknown and g complex, a torus (exp(i theta)). At a branch point the augmented system of H. D. Mittelmann and
-H. Weber (1980) is regular: ``R + mu psi = 0, DR' psi = 0, |psi| = 1``.
+With M(lambda) and g as in `bordered`, ``R = 0, g = 0`` is a regular system for a fold (lambda = 1), a period
+doubling (-1), and, with the angle as one more unknown and g complex, a torus (exp(i theta)). At a branch
+point the augmented system of H. D. Mittelmann and H. Weber (1980) is regular: ``R + mu psi = 0,
+DR' psi = 0, |psi| = 1``.
 """
 
 from abc import ABC, abstractmethod
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import Any, Self
 
 import numpy as np
@@ -28,87 +16,16 @@ from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.asking import Question
+from stridemap.solver.branches.bifurcation import Border, Special, SpecialType
+from stridemap.solver.branches.bordered import Bordered, wrap
 from stridemap.solver.branches.curve import Curve
 from stridemap.solver.branches.equations import CycleEquations, linearised, second
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.linear import solved
 
 Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Index = NDArray[np.int64]
 Mask = NDArray[np.bool_]
-
-
-class SpecialType(StrEnum):
-    """What happens at a special point."""
-
-    FOLD = "fold"
-    PD = "pd"
-    NS = "ns"
-    BP = "bp"
-
-
-@dataclass(frozen=True)
-class Special:
-    """A special point.
-
-    Parameters
-    ----------
-    type : SpecialType
-    x : ndarray, shape (N + 1,)
-        Unknowns of the chain, and the parameter.
-    multipliers : ndarray of complex, shape (nz,)
-    null : ndarray, shape (N,) or (N + 1,)
-        The direction that neither grows nor shrinks, in the unknowns of all steps; of a branch point, the
-        second tangent, with that of the parameter.
-    residual : float
-        Largest entry of its defining system.
-    slope : float
-        Change along the branch, per unit of arclength, of what passes through a value there: of a doubling's
-        multiplier, of the modulus of a torus's; of a fold, of the parameter's share in the tangent. A special
-        point whose slope is not zero is truly crossed.
-    multiplier : complex
-        The one that crosses the unit circle.
-    direction : float
-        Change of the parameter per unit of arclength.
-    border : Border or None
-        Of its system, if that is bordered.
-    """
-
-    type: SpecialType
-    x: Array
-    multipliers: Complex
-    null: NDArray[np.complex128] | Array
-    residual: float
-    slope: float
-    multiplier: complex
-    direction: float
-    border: "Border | None" = None
-
-
-@dataclass(frozen=True)
-class Border:
-    """What Newton's method on a bordered system can begin with anew, at another resolution.
-
-    Parameters
-    ----------
-    b, c : ndarray, shape (N,)
-    gradient : ndarray, shape (N + 1,)
-        Of g.
-    """
-
-    b: NDArray[Any]
-    c: NDArray[Any]
-    gradient: NDArray[Any]
-
-
-def wrap(equations: CycleEquations) -> Array:
-    """The matrix W: what leads from the first point to the residual of the last step, shape (N, N)."""
-    width, nz = equations.chain.width, equations.chain.width - 1
-    size = equations.n_unknowns
-    matrix = np.zeros((size, size))
-    matrix[np.arange(size - width, size - 1), np.arange(nz)] = 1.0
-    return matrix
 
 
 def finer(n_rk: int) -> int:
@@ -149,33 +66,6 @@ class Attempt(Question[Special | None]):
     def answers(cls, questions: Sequence[Self]) -> list[Special | None]:
         """Special points."""
         return _SYSTEMS[questions[0].type](questions).solutions()
-
-
-@dataclass(frozen=True)
-class _Bordered:
-    """Bordered systems of M(lambda) at k points.
-
-    Parameters
-    ----------
-    w, psi : ndarray, shape (k, N)
-        Solutions of the systems and of their transposes.
-    g : ndarray, shape (k,)
-    """
-
-    w: NDArray[Any]
-    psi: NDArray[Any]
-    g: NDArray[Any]
-
-    @classmethod
-    def of(cls, matrix: NDArray[Any], b: NDArray[Any], c: NDArray[Any]) -> "_Bordered":
-        """Solve the systems with borders b and c."""
-        count, size = matrix.shape[:2]
-        whole = np.zeros((count, size + 1, size + 1), dtype=matrix.dtype)
-        whole[:, :size, :size], whole[:, :size, size], whole[:, size, :size] = matrix, b, c
-        right = np.zeros((count, size + 1), dtype=matrix.dtype)
-        right[:, size] = 1.0
-        one, other = solved(whole, right), solved(whole.transpose(0, 2, 1), right)
-        return cls(one[:, :size], other[:, :size], one[:, size])
 
 
 @dataclass(frozen=True)
@@ -305,7 +195,7 @@ class _BorderedSystem(_System):
         """The gradient stays where steps become shorter fast."""
         self._kept[open_] = length < SHORTER * last
 
-    def _bordered(self, open_: Index, singular: NDArray[Any]) -> tuple[_Bordered, NDArray[Any]]:
+    def _bordered(self, open_: Index, singular: NDArray[Any]) -> tuple[Bordered, NDArray[Any]]:
         """The bordered systems, with the same borders in each Newton step, and gradients of g."""
         if self._borders is None:
             # Singular vectors of the smallest singular value make them best conditioned.
@@ -314,7 +204,7 @@ class _BorderedSystem(_System):
             self._borders = [np.zeros((count, n), dtype=singular.dtype) for n in (size, size, size + 1)]
             self._borders[0][open_], self._borders[1][open_] = u[:, :, -1], vh[:, -1]
         b, c, gradient = self._borders
-        bordered = _Bordered.of(singular, b[open_], c[open_])
+        bordered = Bordered.of(singular, b[open_], c[open_])
         new = np.flatnonzero(~self._kept[open_])
         if len(new):
             gradient[open_[new]] = self._gradient(open_[new], bordered.w[new], bordered.psi[new])

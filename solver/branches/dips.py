@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.asking import alone
+from stridemap.solver.branches.bifurcation import SpecialType
 from stridemap.solver.branches.conditions import GaitConditions
 from stridemap.solver.branches.curve import Curve
-from stridemap.solver.branches.defining import SpecialType
 from stridemap.solver.branches.ends import conditions_along
 from stridemap.solver.branches.special import point_between, tests
 from stridemap.solver.options import ContinuationOptions

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.asking import Asking, asked, together
+from stridemap.solver.branches.bifurcation import Special, SpecialType
 from stridemap.solver.branches.curve import Correction, Curve
-from stridemap.solver.branches.defining import Attempt, Special, SpecialType, finer
+from stridemap.solver.branches.defining import Attempt, finer
 from stridemap.solver.kernels.catalogue import CYCLE_N_RK
 from stridemap.solver.options import ContinuationOptions
 

@@ -17,9 +17,9 @@ from stridemap.solver.branches.arclength import (
     passes_through,
 )
 from stridemap.solver.branches.asking import alone
+from stridemap.solver.branches.bifurcation import Special, SpecialType
 from stridemap.solver.branches.conditions import GaitConditions, GaitEnd
 from stridemap.solver.branches.curve import Curve
-from stridemap.solver.branches.defining import Special, SpecialType
 from stridemap.solver.branches.dips import with_dips
 from stridemap.solver.branches.ends import End, conditions_along, gait_ends
 from stridemap.solver.branches.special import special_points

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.asking import Asking, asked
+from stridemap.solver.branches.bifurcation import Special
 from stridemap.solver.branches.curve import Correction, Curve
-from stridemap.solver.branches.defining import Special
 from stridemap.solver.options import ContinuationOptions
 
 Array = NDArray[np.float64]

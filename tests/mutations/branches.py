@@ -3,6 +3,7 @@
 from tests.mutations.mutation import Mutation
 
 MAPS = "tests/solver/branches/test_known_maps.py"
+ON_MAPS = "tests/solver/branches/test_ends_on_maps.py"
 FOLD = f"{MAPS}::test_a_fold_is_passed_and_found"
 LOGISTIC = f"{MAPS}::test_the_doublings_of_the_logistic_map"
 TORUS = f"{MAPS}::test_the_torus_of_the_delayed_logistic_map"
@@ -17,7 +18,7 @@ CURVES = (
         "if value * before < 0:",
         "if value * before > 0:",
         "points are added where nothing changes, and not where two doublings are",
-        (f"{MAPS}::test_a_multiplier_that_goes_beyond_minus_one_and_back_within_a_step_is_seen",),
+        (f"{ON_MAPS}::test_a_multiplier_that_goes_beyond_minus_one_and_back_within_a_step_is_seen",),
     ),
     Mutation(
         "solver/branches/arclength.py",
@@ -230,14 +231,14 @@ BIFURCATIONS = (
         "return replace(self, other=here) if begins else replace(self, one=here), broken",
         "return self, {}",
         "a condition that is broken more than once ends a gait at any of its zeros",
-        (f"{MAPS}::test_a_condition_that_is_met_several_times_ends_a_gait_where_it_is_met_first",),
+        (f"{ON_MAPS}::test_a_condition_that_is_met_several_times_ends_a_gait_where_it_is_met_first",),
     ),
     Mutation(
         "solver/branches/ends.py",
         "return None  # one of them is met first, but where?",
         "return first",
         "a gait goes on where one of its conditions jumps",
-        (f"{MAPS}::test_a_condition_that_jumps_hides_ends_behind_it",),
+        (f"{ON_MAPS}::test_a_condition_that_jumps_hides_ends_behind_it",),
     ),
     Mutation(
         "solver/branches/ends.py",
@@ -258,7 +259,7 @@ BIFURCATIONS = (
         "JUST = 1e-9",
         "JUST = 1e-6",
         "of two ends near each other the wrong one is taken",
-        (f"{MAPS}::test_of_two_ends_near_each_other_the_first_one_counts",),
+        (f"{ON_MAPS}::test_of_two_ends_near_each_other_the_first_one_counts",),
     ),
     Mutation(
         "solver/branches/curve.py",
@@ -373,7 +374,7 @@ GAITS = (
         "            if not f > 0:\n",
         "            if False:\n",
         "of two conditions the one that is met last ends a gait",
-        (f"{MAPS}::test_a_gait_ends_at_the_condition_that_is_met_first",),
+        (f"{ON_MAPS}::test_a_gait_ends_at_the_condition_that_is_met_first",),
     ),
     Mutation(
         "solver/branches/ends.py",
@@ -394,14 +395,14 @@ GAITS = (
         "gait = np.all(list(holds.values()), axis=0)",
         "gait = np.any(list(holds.values()), axis=0)",
         "a gait goes on while one of its conditions holds",
-        (f"{MAPS}::test_a_condition_that_is_broken_on_both_sides_hides_others",),
+        (f"{ON_MAPS}::test_a_condition_that_is_broken_on_both_sides_hides_others",),
     ),
     Mutation(
         "solver/branches/ends.py",
         "LOCATED, ROUNDING = 1e-11, 1e-14",
         "LOCATED, ROUNDING = 1e3, 1e-14",
         "a condition that jumps ends a gait where it is not zero",
-        (f"{MAPS}::test_a_condition_that_jumps_has_no_end_on_the_branch",),
+        (f"{ON_MAPS}::test_a_condition_that_jumps_has_no_end_on_the_branch",),
     ),
     Mutation(
         "solver/branches/survey.py",

@@ -10,9 +10,10 @@ import sympy as sp
 import stridemap
 from stridemap.solver.branches.arclength import CurvePoint
 from stridemap.solver.branches.asking import Question, alone, asked, together
+from stridemap.solver.branches.bifurcation import SpecialType
 from stridemap.solver.branches.conditions import GaitEnd
 from stridemap.solver.branches.curve import Correction
-from stridemap.solver.branches.defining import Attempt, SpecialType
+from stridemap.solver.branches.defining import Attempt
 from stridemap.solver.branches.ends import Trial
 from stridemap.solver.branches.equations import linearised
 from stridemap.solver.branches.special import specials_between

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from stridemap.solver.branches.arclength import CurvePoint
-from stridemap.solver.branches.defining import Attempt, SpecialType
+from stridemap.solver.branches.bifurcation import SpecialType
+from stridemap.solver.branches.defining import Attempt
 from tests.oracles.maps import MapKernels, curve, p, x
 
 pytestmark = pytest.mark.quick
