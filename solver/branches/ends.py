@@ -118,15 +118,15 @@ def searches(
     holds = {name: one > 0 for name, one in values.items()}
     gait = np.all(list(holds.values()), axis=0)
     for number in np.flatnonzero(gait[:-1] != gait[1:]).tolist():
-        inside = number if gait[number] else number + 1
-        outside = 2 * number + 1 - inside
+        begins = bool(gait[number])
+        outside = number + begins
         known: dict[GaitEnd, tuple[float, float]] = {
             name: (float(values[name][number]), float(values[name][number + 1]))
             for name in holds
             if not holds[name][outside]
         }
         between = _Between(curve, points[number], points[number + 1], conditions, options)
-        yield number, between.first_met(known, inside == number)
+        yield number, between.first_met(known, begins)
 
 
 @dataclass(frozen=True)
@@ -189,13 +189,14 @@ class _Between:
         self, end: End, known: dict[GaitEnd, tuple[float, float]], begins: bool
     ) -> Asking[tuple["_Between", dict[GaitEnd, tuple[float, float]]]]:
         """The part up to just before an end, and those other conditions that are broken there."""
+        others = {name: values for name, values in known.items() if name != end.type}
+        if not others:
+            return self, {}
         back = (self.one if begins else self.other).x - end.point.x
         guess = end.point.x + min(JUST / max(self.curve.norm(back), JUST), 0.5) * back
         found = yield from self._corrected(guess, self._along(guess) / self.length, end.point.n_rk)
         here, broken = found or end.point, {}
-        for name, (one, other) in known.items():
-            if name == end.type:
-                continue
+        for name, (one, other) in others.items():
             f = yield from self._tried(here, name)
             if not f > 0:
                 broken[name] = (one, f) if begins else (f, other)
