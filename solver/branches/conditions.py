@@ -178,8 +178,13 @@ def _inner_touchdown_margin(trace: Trace) -> Array:
         turned = (above >= 0) & (turns.orbit[above] == found.orbit[below]) & ~lowest[above]
         if turned.any():
             there = below[turned]
-            _, depth, beside = _located(trace, turns.take(above[turned]))
-            each[there] = np.maximum(np.where(depth > 0, beside, each[there]), depth)
+            when, depth, beside = _located(trace, turns.take(above[turned]))
+            last = np.full(len(below), -np.inf)
+            last[known] = moments[before[known]]
+            # Where it hardly comes up its passages may show at no node: they are where it is highest.
+            passes = just[turned] | (last[turned] > _moment(trace, found.orbit[there], when))
+            highest = np.maximum(beside, -g[there])
+            each[there] = np.maximum(np.where(passes & (depth <= 0), each[there], highest), depth)
     # At the ends of the step the condition is zero: a turning point there is the beginning or the end itself.
     h = trace.h[found.orbit]
     inner = (time > 1e-3 * h) & (time < trace.period[found.orbit] - 1e-3 * h)

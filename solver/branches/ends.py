@@ -171,12 +171,13 @@ class _Between:
             # Where the foot grazes the ground an early touchdown appears all at once: no secant locates that.
             for name in sorted(broken, key=lambda one: one == GaitEnd.EARLY_TOUCHDOWN):
                 found = yield from part._located(name, broken[name])
-                if found is not None:
+                nearer = np.inf if first is None else self._away(first, begins)
+                if found is not None and self._away(found, begins) < nearer + NOISE * self.length:
                     break
             else:
                 return None  # one of them is met first, but where?
-            if first is not None and not self._away(found, begins) < self._away(first, begins):
-                break  # rounding does not tell which of them is
+            if not self._away(found, begins) < nearer:
+                break  # rounding does not tell which of the two is
             first = found
             part, broken = yield from self._until(first, known, begins)
         return first
@@ -194,6 +195,8 @@ class _Between:
             return self, {}
         back = (self.one if begins else self.other).x - end.point.x
         guess = end.point.x + min(JUST / max(self.curve.norm(back), JUST), 0.5) * back
+        if not 0 < self._along(guess) < self.length:
+            return self, {}  # it is at the point at which they hold
         found = yield from self._corrected(guess, self._along(guess) / self.length, end.point.n_rk)
         here, broken = found or end.point, {}
         for name, (one, other) in others.items():
@@ -231,7 +234,8 @@ class _Between:
     ) -> Asking[_Zero | None]:
         """Regula falsi (Illinois) on the arclength step, until it changes by less than `settled`.
 
-        Where rounding blurs the condition, it is the best of all trials so near that rounding decides.
+        Where rounding blurs the condition, it is the last good one of the trials that lie so near each other
+        that rounding decides.
         """
         length = self.length
         low, high = 0.0, length
@@ -270,8 +274,8 @@ class _Between:
                 kept = -1
             if left < settled and settled == ROUGH:
                 break
-        near = (zero for ds, zero in trials if abs(ds - last[0]) <= NOISE * length)
-        return min(near, key=lambda zero: abs(zero.f), default=None)
+        near = (zero for ds, zero in reversed(trials) if abs(ds - last[0]) <= NOISE * length)
+        return next((zero for zero in near if abs(zero.f) < LOCATED), trials[-1][1])
 
     def _refined(self, name: GaitEnd, found: _Zero) -> Asking[_Zero | None]:
         """The same zero at ever finer resolutions, by secants; None where they do not lead there."""

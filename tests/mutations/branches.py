@@ -221,8 +221,8 @@ BIFURCATIONS = (
     ),
     Mutation(
         "solver/branches/ends.py",
-        "near = (zero for ds, zero in trials if abs(ds - last[0]) <= NOISE * length)",
-        "near = (zero for ds, zero in trials if ds == last[0])",
+        "near = (zero for ds, zero in reversed(trials) if abs(ds - last[0]) <= NOISE * length)",
+        "near = [trials[-1][1]]",
         "an end that rounding blurs is lost if the last trial is a bad one",
         (f"{ENDS}::test_where_rounding_blurs_a_condition_by_more_than_its_limit_the_best_trial_counts",),
     ),
@@ -249,10 +249,17 @@ BIFURCATIONS = (
     ),
     Mutation(
         "solver/branches/conditions.py",
-        "np.maximum(np.where(depth > 0, beside, each[there]), depth)",
+        "np.maximum(np.where(passes & (depth <= 0), each[there], highest), depth)",
         "each[there]",
         "a foot that no longer comes up before it swings on below the ground ends no early touchdown",
         (f"{ENDS}::test_a_gait_ends_where_the_foot_touches_down_early",),
+    ),
+    Mutation(
+        "solver/branches/conditions.py",
+        "passes & (depth <= 0)",
+        "depth <= 0",
+        "a foot that hardly comes up between two nodes does not come up",
+        ("tests/solver/branches/test_early_touchdown.py",),
     ),
     Mutation(
         "solver/branches/ends.py",
