@@ -49,7 +49,7 @@ def together(searches: Iterable[Asking[T]]) -> list[T]:
     returned: dict[int, T] = {}
     answers: dict[int, Any] = dict.fromkeys(running)
     while answers:
-        asking: dict[tuple[type, Hashable], list[tuple[int, Question[Any]]]] = {}
+        asking: dict[tuple[type[Question[Any]], Hashable], list[tuple[int, Question[Any]]]] = {}
         for number, answer in sorted(answers.items()):
             try:
                 question = running[number].send(answer)
@@ -59,6 +59,6 @@ def together(searches: Iterable[Asking[T]]) -> list[T]:
                 asking.setdefault((type(question), question.kind), []).append((number, question))
         answers = {}
         for (kind, _), some in asking.items():
-            given = kind.answers([question for _, question in some])  # type: ignore[attr-defined]
+            given = kind.answers([question for _, question in some])
             answers |= zip((number for number, _ in some), given, strict=True)
     return [returned[number] for number in running]

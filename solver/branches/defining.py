@@ -70,7 +70,7 @@ class Attempt(Question[Special | None]):
 
 @dataclass(frozen=True)
 class _Linear:
-    """The linear systems of a Newton step at k points, and of what they are made.
+    """The linear systems of a Newton step at k points.
 
     Parameters
     ----------
@@ -79,19 +79,11 @@ class _Linear:
         What is to become zero.
     size : ndarray, shape (k,)
         Modulus of its largest entry.
-    w, psi : ndarray, shape (k, N)
-        Null vectors of M(lambda), of the unknowns themselves and of the equations.
     """
 
     rows: Array
     right: Array
     size: Array
-    w: NDArray[Any]
-    psi: NDArray[Any]
-
-    def take(self, index: Index) -> "_Linear":
-        """Some of the points."""
-        return _Linear(*(part[index] for part in (self.rows, self.right, self.size, self.w, self.psi)))
 
 
 class _System(ABC):
@@ -126,7 +118,7 @@ class _System(ABC):
             good &= self._norm(self.x[open_] - self.begin[open_]) <= self.reach[open_]
             at = np.flatnonzero(good & near)
             if len(at):
-                specials = self._specials(open_[at], matrix[at], linear.take(at))
+                specials = self._specials(open_[at], matrix[at], linear.size[at])
                 for i, special in zip(open_[at].tolist(), specials, strict=True):
                     found[i] = special
             open_ = open_[good & ~near]
@@ -160,8 +152,8 @@ class _System(ABC):
         self.x[open_] += change[:, : self.x.shape[1]]
 
     @abstractmethod
-    def _specials(self, open_: Index, matrix: Array, linear: _Linear) -> list[Special | None]:
-        """Special points where Newton's method has ended."""
+    def _specials(self, open_: Index, matrix: Array, size: Array) -> list[Special | None]:
+        """Special points where Newton's method has ended, with their residuals' sizes."""
 
     def _equations(self, open_: Index) -> list[CycleEquations]:
         return [self.curves[i].equations for i in open_.tolist()]
@@ -180,7 +172,9 @@ class _BorderedSystem(_System):
 
     def __init__(self, attempts: Sequence[Attempt]) -> None:
         super().__init__(attempts)
+        # Borders b and c, the gradient of g, and the null vectors w and psi of M(lambda).
         self._borders: list[NDArray[Any]] | None = None
+        self._null: list[NDArray[Any]] = []
         given = [one.border for one in self.before if one is not None and one.border is not None]
         if given:
             parts = zip(*((one.b, one.c, one.gradient) for one in given), strict=True)
@@ -205,21 +199,24 @@ class _BorderedSystem(_System):
             self._borders[0][open_], self._borders[1][open_] = u[:, :, -1], vh[:, -1]
         b, c, gradient = self._borders
         bordered = Bordered.of(singular, b[open_], c[open_])
+        self._null = self._null or [np.zeros_like(b), np.zeros_like(b)]
+        self._null[0][open_], self._null[1][open_] = bordered.w * self.scale[:-1], bordered.psi
         new = np.flatnonzero(~self._kept[open_])
         if len(new):
-            gradient[open_[new]] = self._gradient(open_[new], bordered.w[new], bordered.psi[new])
+            gradient[open_[new]] = self._gradient(open_[new])
         return bordered, gradient[open_]
 
-    def _gradient(self, open_: Index, w: NDArray[Any], psi: NDArray[Any]) -> NDArray[Any]:
-        """Gradients of g, for null vectors in terms of the scale."""
-        return -_product(psi, self._second(open_, w * self.scale[:-1]))
+    def _gradient(self, open_: Index) -> NDArray[Any]:
+        """Gradients of g."""
+        w, psi = (one[open_] for one in self._null)
+        return -_product(psi, self._second(open_, w))
 
     def _second(self, open_: Index, w: NDArray[Any]) -> NDArray[Any]:
         """Derivatives of ``DR[w]``, for directions w of the unknowns that are not parameters."""
         v = np.concatenate([w, np.zeros((len(w), 1))], axis=1)
         return second(self._equations(open_), self.x[open_], v, self.n_rk[open_])
 
-    def _specials(self, open_: Index, matrix: Array, linear: _Linear) -> list[Special | None]:
+    def _specials(self, open_: Index, matrix: Array, size: Array) -> list[Special | None]:
         assert self._borders is not None
         each = zip(open_.tolist(), matrix, strict=True)
         tangents = np.array([self.curves[i].tangent(one, self.guesses[i].tangent) for i, one in each])
@@ -227,15 +224,18 @@ class _BorderedSystem(_System):
         if before:
             slopes = [one.slope for one in before]
         else:
-            slopes = self._slopes(open_, tangents, linear).tolist()
+            slopes = self._slopes(open_, tangents).tolist()
         out: list[Special | None] = []
         for row, i in enumerate(open_.tolist()):
             if not self._counts(i):
                 out.append(None)
                 continue
             border = Border(*(one[i].copy() for one in self._borders))
-            multipliers, size = self.curves[i].multipliers(matrix[row]), float(linear.size[row])
-            here = self.x[i].copy(), multipliers, _signed(linear.w[row], self.scale[:-1]), size
+            multipliers, null = (
+                self.curves[i].multipliers(matrix[row]),
+                _signed(self._null[0][i], self.scale[:-1]),
+            )
+            here = self.x[i].copy(), multipliers, null, float(size[row])
             multiplier, direction = self._multiplier(i), float(tangents[row, -1])
             out.append(Special(self.type, *here, slopes[row], multiplier, direction, border))
         return out
@@ -249,14 +249,14 @@ class _BorderedSystem(_System):
         """The multiplier that crosses the unit circle."""
 
     @abstractmethod
-    def _slopes(self, open_: Index, tangents: Array, linear: _Linear) -> Array:
+    def _slopes(self, open_: Index, tangents: Array) -> Array:
         """Changes along the curves, per unit of arclength, of what passes through a value."""
 
-    def _changes(self, open_: Index, tangents: Array, linear: _Linear) -> NDArray[Any]:
+    def _changes(self, open_: Index, tangents: Array) -> NDArray[Any]:
         """Change of the multiplier along the curve: since M w = 0 there, psi' dM w / psi' W w."""
-        gradient = self._gradient(open_, linear.w / self.scale[:-1], linear.psi)
-        changes: NDArray[Any] = -(gradient * tangents).sum(axis=1)
-        return changes / (linear.psi * (linear.w @ self.weave.T)).sum(axis=1)
+        w, psi = (one[open_] for one in self._null)
+        changes: NDArray[Any] = -(self._gradient(open_) * tangents).sum(axis=1)
+        return changes / (psi * (w @ self.weave.T)).sum(axis=1)
 
 
 class _RealMultiplier(_BorderedSystem):
@@ -269,7 +269,7 @@ class _RealMultiplier(_BorderedSystem):
         bordered, gradient = self._bordered(open_, (matrix[:, :, :-1] + turned) * self.scale[:-1])
         right = np.column_stack([residual, bordered.g])
         rows = np.concatenate([matrix, gradient[:, None]], axis=1)
-        return _Linear(rows, right, np.abs(right).max(axis=1), bordered.w * self.scale[:-1], bordered.psi)
+        return _Linear(rows, right, np.abs(right).max(axis=1))
 
     def _multiplier(self, i: int) -> complex:
         return complex(self.multiplier)
@@ -280,12 +280,12 @@ class _Fold(_RealMultiplier):
 
     type, multiplier = SpecialType.FOLD, 1.0
 
-    def _slopes(self, open_: Index, tangents: Array, linear: _Linear) -> Array:
+    def _slopes(self, open_: Index, tangents: Array) -> Array:
         """Change of the tangent's parameter: not zero where the curve turns back."""
-        v = linear.w / self._norm(np.concatenate([linear.w, np.zeros((len(open_), 1))], axis=1))[:, None]
+        w, psi = (one[open_] for one in self._null)
+        v = w / self._norm(np.concatenate([w, np.zeros((len(open_), 1))], axis=1))[:, None]
         along = linearised(self._equations(open_), self.x[open_], self.n_rk[open_])[0][:, :, -1]
         bend = (self._second(open_, v)[:, :, :-1] @ v[:, :, None])[:, :, 0]
-        psi = linear.psi
         slopes: Array = -(psi * bend).sum(axis=1) / (psi * along).sum(axis=1) / self.scale[-1]
         return slopes
 
@@ -295,9 +295,9 @@ class _Doubling(_RealMultiplier):
 
     type, multiplier = SpecialType.PD, -1.0
 
-    def _slopes(self, open_: Index, tangents: Array, linear: _Linear) -> Array:
+    def _slopes(self, open_: Index, tangents: Array) -> Array:
         """Changes of the multipliers."""
-        return self._changes(open_, tangents, linear)
+        return self._changes(open_, tangents)
 
 
 class _Torus(_BorderedSystem):
@@ -318,15 +318,14 @@ class _Torus(_BorderedSystem):
         root = np.exp(1j * self.theta[open_])
         turned = (1.0 - root)[:, None, None] * self.weave
         bordered, gradient = self._bordered(open_, (matrix[:, :, :-1] + turned) * self.scale[:-1])
-        w = bordered.w * self.scale[:-1]
-        turn = 1j * root * (bordered.psi * (w @ self.weave.T)).sum(axis=1)
+        turn = 1j * root * (bordered.psi * (bordered.w * self.scale[:-1] @ self.weave.T)).sum(axis=1)
         count, size = residual.shape
         rows = np.zeros((count, size + 2, size + 2))
         rows[:, :size, :-1], rows[:, size, :-1], rows[:, size + 1, :-1] = matrix, gradient.real, gradient.imag
         rows[:, size, -1], rows[:, size + 1, -1] = turn.real, turn.imag
         right = np.column_stack([residual, bordered.g.real, bordered.g.imag])
         error = np.maximum(np.abs(residual).max(axis=1), np.abs(bordered.g))
-        return _Linear(rows, right, error, w, bordered.psi)
+        return _Linear(rows, right, error)
 
     def _move(self, open_: Index, change: Array) -> None:
         super()._move(open_, change)
@@ -338,9 +337,9 @@ class _Torus(_BorderedSystem):
     def _multiplier(self, i: int) -> complex:
         return complex(np.exp(1j * self.theta[i]))
 
-    def _slopes(self, open_: Index, tangents: Array, linear: _Linear) -> Array:
+    def _slopes(self, open_: Index, tangents: Array) -> Array:
         """Changes of the moduli: the components of the multipliers' changes along these."""
-        slopes: Array = (self._changes(open_, tangents, linear) / np.exp(1j * self.theta[open_])).real
+        slopes: Array = (self._changes(open_, tangents) / np.exp(1j * self.theta[open_])).real
         return slopes
 
 
@@ -372,7 +371,7 @@ class _BranchPoint(_System):
         unit = (psi**2).sum(axis=1) - 1.0
         right = np.column_stack([residual + mu[:, None] * psi, _product(psi, matrix), unit])
         error = np.maximum(np.abs(right).max(axis=1), np.abs(mu))
-        return _Linear(rows, right, error, np.full_like(psi, np.nan), psi)
+        return _Linear(rows, right, error)
 
     def _move(self, open_: Index, change: Array) -> None:
         super()._move(open_, change)
@@ -380,7 +379,7 @@ class _BranchPoint(_System):
         self.mu[open_] += change[:, size]
         self.psi[open_] += change[:, size + 1 :]
 
-    def _specials(self, open_: Index, matrix: Array, linear: _Linear) -> list[Special | None]:
+    def _specials(self, open_: Index, matrix: Array, size: Array) -> list[Special | None]:
         """Branch points with the direction across the curve in the plane of its two tangents."""
         out: list[Special | None] = []
         for row, i in enumerate(open_.tolist()):
@@ -390,8 +389,8 @@ class _BranchPoint(_System):
             along = kernel @ (guess.tangent / self.scale)
             across = np.array([-along[1], along[0]]) @ kernel
             slope = float(singular[-2]) if len(singular) > 1 else 1.0
-            multipliers, size = curve.multipliers(matrix[row]), float(linear.size[row])
-            here = self.x[i].copy(), multipliers, across * self.scale, size, slope
+            multipliers = curve.multipliers(matrix[row])
+            here = self.x[i].copy(), multipliers, across * self.scale, float(size[row]), slope
             out.append(Special(self.type, *here, 1.0 + 0.0j, float(guess.tangent[-1])))
         return out
 

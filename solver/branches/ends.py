@@ -42,11 +42,20 @@ def conditions_along(
     names: Sequence[GaitEnd] | None = None,
 ) -> dict[GaitEnd, Array]:
     """Conditions of a gait at points of a curve, shape (m,) each: those named, or all."""
-    x = np.array([point.x for point in points])
-    params = np.array([curve.equations.point(curve.values(one)) for one in x])
+    return _conditions_at([curve] * len(points), points, conditions, names)
+
+
+def _conditions_at(
+    curves: Sequence[ZeroCurve],
+    points: Sequence[CurvePoint],
+    conditions: GaitConditions,
+    names: Sequence[GaitEnd] | None,
+) -> dict[GaitEnd, Array]:
+    """The same at a point of each of some curves, of cycles of as many steps."""
+    u = np.array([one.x[: on.equations.n_unknowns] for on, one in zip(curves, points, strict=True)])
+    params = [on.equations.point(on.values(one.x)) for on, one in zip(curves, points, strict=True)]
     n_rk = [min(2 * point.n_rk, 2 * CYCLE_N_RK[-1]) for point in points]
-    u = x[:, : curve.equations.n_unknowns]
-    return conditions.of_cycles(n_rk, u, params, curve.chain.n_steps, names)
+    return conditions.of_cycles(n_rk, u, np.array(params), curves[0].chain.n_steps, names)
 
 
 def gait_ends(
@@ -93,12 +102,8 @@ class Trial(Question[float]):
     @classmethod
     def answers(cls, questions: Sequence[Self]) -> list[float]:
         """Values of the condition."""
-        first = questions[0]
-        u = [one.point.x[: one.curve.equations.n_unknowns] for one in questions]
-        params = [one.curve.equations.point(one.curve.values(one.point.x)) for one in questions]
-        n_rk = [min(2 * one.point.n_rk, 2 * CYCLE_N_RK[-1]) for one in questions]
-        n_steps = first.curve.chain.n_steps
-        values = first.conditions.of_cycles(n_rk, np.array(u), np.array(params), n_steps, [first.name])
+        first, points = questions[0], [one.point for one in questions]
+        values = _conditions_at([one.curve for one in questions], points, first.conditions, [first.name])
         out: list[float] = values[first.name].tolist()
         return out
 

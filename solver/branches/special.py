@@ -100,9 +100,8 @@ def _a_pair_may_cross(one: CurvePoint, other: CurvePoint) -> bool:
     multipliers are complex at both points, as many of these are outside, and as many of all.
     """
     pairs = [point.multipliers[point.multipliers.imag != 0] for point in (one, other)]
-    inside, outside = ([int((sign * (np.abs(some) - 1.0) > 0).sum()) for some in pairs] for sign in (-1, 1))
-    differ = inside[0] != inside[1] or outside[0] != outside[1]
-    return differ or abs(unstable_count(other) - unstable_count(one)) > 1
+    before, after = ((len(some), int((np.abs(some) > 1.0).sum())) for some in pairs)
+    return before != after or abs(unstable_count(other) - unstable_count(one)) > 1
 
 
 CHANGES = {SpecialType.FOLD: 1, SpecialType.PD: 1, SpecialType.NS: 2, SpecialType.BP: 1}

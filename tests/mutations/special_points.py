@@ -1,0 +1,343 @@
+"""Changes of how special points are located: bifurcations, ends of gaits, and searches that ask."""
+
+from tests.mutations.mutation import Mutation
+
+MAPS = "tests/solver/branches/test_known_maps.py"
+ON_MAPS = "tests/solver/branches/test_ends_on_maps.py"
+FOLD = f"{MAPS}::test_a_fold_is_passed_and_found"
+LOGISTIC = f"{MAPS}::test_the_doublings_of_the_logistic_map"
+TORUS = f"{MAPS}::test_the_torus_of_the_delayed_logistic_map"
+PITCHFORK = f"{MAPS}::test_a_pitchfork_is_a_branch_point_from_which_both_sides_are_reached"
+TWO = f"{MAPS}::test_two_doublings_between_two_points_are_both_found"
+ENDS = "tests/solver/branches/test_ends.py"
+DEFINING = "tests/solver/branches/test_defining.py"
+
+BIFURCATIONS = (
+    Mutation(
+        "solver/branches/special.py",
+        "np.prod(multipliers[i] * multipliers[j] - 1.0).real",
+        "np.prod(multipliers[i] * multipliers[j] + 1.0).real",
+        "tori are looked for where multipliers' product is -1",
+        (TORUS,),
+    ),
+    Mutation(
+        "solver/branches/special.py",
+        "float(np.prod(1.0 + multipliers).real)",
+        "float(np.prod(1.0 - multipliers).real)",
+        "doublings are looked for where a multiplier is 1",
+        (LOGISTIC,),
+    ),
+    Mutation(
+        "solver/branches/special.py",
+        "change <= explained and (explained - change) % 2 == 0",
+        "change <= explained + 9",
+        "two doublings between two points are overlooked",
+        (TWO,),
+    ),
+    Mutation(
+        "solver/branches/special.py",
+        "BISECTIONS, SUBDIVISIONS = 24, 8",
+        "BISECTIONS, SUBDIVISIONS = 24, 1",
+        "two doublings close to each other are overlooked",
+        (TWO,),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "-(self._gradient(open_) * tangents).sum(axis=1)",
+        "(self._gradient(open_) * tangents).sum(axis=1)",
+        "a multiplier is said to cross the unit circle the other way",
+        (LOGISTIC,),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "slopes: Array = -(psi * bend)",
+        "slopes: Array = (psi * bend)",
+        "a fold is said to open to the other side",
+        (FOLD,),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "self._changes(open_, tangents) / np.exp(1j * self.theta[open_])",
+        "self._changes(open_, tangents) * np.exp(1j * self.theta[open_])",
+        "a torus is said to be born at another angle",
+        (TORUS,),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "across = np.array([-along[1], along[0]]) @ kernel",
+        "across = along @ kernel",
+        "the branch that crosses another one is that one itself",
+        (PITCHFORK,),
+    ),
+    Mutation(
+        "solver/branches/special.py",
+        "    while n_rk < CYCLE_N_RK[-1]:\n",
+        "    while False:\n",
+        "special points are those of the first resolution",
+        (f"{MAPS}::test_special_points_are_refined_until_the_resolution_does_not_move_them",),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "SPECIAL_RESIDUAL, SETTLED, SETTLED_NEARLY = 1e-11, 1e-7, 1e-12",
+        "SPECIAL_RESIDUAL, SETTLED, SETTLED_NEARLY = 1e-3, 1e-1, 1e-1",
+        "special points are where Newton's method has hardly begun",
+        (DEFINING,),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "SHORTER = 0.2",
+        "SHORTER = 0.0",
+        "every Newton step to a special point takes second derivatives",
+        (DEFINING,),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "self._kept = np.full(len(self.curves), bool(given))",
+        "self._kept = np.full(len(self.curves), False)",
+        "what was found at a coarser resolution is solved for as if it had not been",
+        (DEFINING,),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "<= self.reach[open_]",
+        "<= np.inf",
+        "special points are taken from far beyond the bracket",
+        (DEFINING,),
+    ),
+    Mutation(
+        "solver/branches/asking.py",
+        "asking.setdefault((type(question), question.kind), [])",
+        "asking.setdefault((type(question), number), [])",
+        "what searches ask is answered one by one",
+        ("tests/solver/branches/test_asking.py::test_questions_of_one_kind_are_answered_in_one_call",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "            if not f > 0:\n",
+        "            if True:\n",
+        "an early touchdown that appears where the foot grazes is searched for by bisection",
+        (f"{ENDS}::test_an_early_touchdown_that_appears_where_the_foot_grazes_is_not_searched_for",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "near = (zero for ds, zero in reversed(trials) if abs(ds - last[0]) <= NOISE * length)",
+        "near = [trials[-1][1]]",
+        "an end that rounding blurs is lost if the last trial is a bad one",
+        (f"{ENDS}::test_where_rounding_blurs_a_condition_by_more_than_its_limit_the_best_trial_counts",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "return replace(self, other=here) if begins else replace(self, one=here), broken",
+        "return self, {}",
+        "a condition that is broken more than once ends a gait at any of its zeros",
+        (f"{ON_MAPS}::test_a_condition_that_is_met_several_times_ends_a_gait_where_it_is_met_first",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "return None  # one of them is met first, but where?",
+        "return first",
+        "a gait goes on where one of its conditions jumps",
+        (f"{ON_MAPS}::test_a_condition_that_jumps_hides_ends_behind_it",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "if n_rk < CYCLE_N_RK[-1]:",
+        "if n_rk <= CYCLE_N_RK[-1]:",
+        "ends between points of the finest resolution are rough, and so none",
+        (f"{ENDS}::test_an_end_between_points_of_the_finest_resolution_is_exact",),
+    ),
+    Mutation(
+        "solver/branches/conditions.py",
+        "np.maximum(np.where(passes & (depth <= 0), each[there], highest), depth)",
+        "each[there]",
+        "a foot that no longer comes up before it swings on below the ground ends no early touchdown",
+        (f"{ENDS}::test_a_gait_ends_where_the_foot_touches_down_early",),
+    ),
+    Mutation(
+        "solver/branches/conditions.py",
+        "passes & (depth <= 0)",
+        "depth <= 0",
+        "a foot that hardly comes up between two nodes does not come up",
+        ("tests/solver/branches/test_early_touchdown.py",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "JUST = 1e-9",
+        "JUST = 1e-6",
+        "of two ends near each other the wrong one is taken",
+        (f"{ON_MAPS}::test_of_two_ends_near_each_other_the_first_one_counts",),
+    ),
+    Mutation(
+        "solver/branches/curve.py",
+        "x[open_], n_rk[open_], near[open_])",
+        "x[open_], n_rk[open_], near[: len(open_)])",
+        "a correction takes the derivative of another one",
+        ("tests/solver/branches/test_asking.py",),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "self.psi[open_] += change[:, size + 1 :]",
+        "self.psi[: len(open_)] += change[:, size + 1 :]",
+        "a branch point's null vector is changed in the place of another one's",
+        ("tests/solver/branches/test_asking.py",),
+    ),
+    Mutation(
+        "solver/branches/defining.py",
+        "= self._gradient(open_[new])",
+        "= self._gradient(open_[: len(new)])",
+        "a gradient is computed at another guess",
+        ("tests/solver/branches/test_asking.py",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "return id(self.conditions), self.name, self.curve.chain.n_steps",
+        "return id(self.conditions), self.curve.chain.n_steps",
+        "a search is told the value of another condition",
+        ("tests/solver/branches/test_asking.py",),
+    ),
+    Mutation(
+        "solver/cycles/chain.py",
+        "np.repeat(n_rk, self.n_steps) if",
+        "np.tile(n_rk, self.n_steps) if",
+        "the steps of a chain have the resolution of other chains",
+        ("tests/solver/branches/test_asking.py",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "sorted(broken, key=lambda one: one == GaitEnd.EARLY_TOUCHDOWN)",
+        "sorted(broken, key=lambda one: one != GaitEnd.EARLY_TOUCHDOWN)",
+        "an early touchdown is searched for before it is known where the foot grazes",
+        (f"{ENDS}::test_an_early_touchdown_that_appears_where_the_foot_grazes_is_not_searched_for",),
+    ),
+    Mutation(
+        "solver/branches/switching.py",
+        "np.concatenate([w, -w, [0.0]])",
+        "np.concatenate([w, w, [0.0]])",
+        "the doubled branch is looked for on the single one",
+        (LOGISTIC,),
+    ),
+    Mutation(
+        "solver/branches/switching.py",
+        "special.x, side * np.real(special.null)",
+        "special.x, np.real(special.null)",
+        "a branch that crosses is followed to one side only",
+        (PITCHFORK,),
+    ),
+    Mutation(
+        "solver/branches/switching.py",
+        "return bool(offset * special.slope * special.direction < 0)",
+        "return bool(offset * special.slope * special.direction > 0)",
+        "supercritical and subcritical change places",
+        (LOGISTIC,),
+    ),
+    Mutation(
+        "solver/branches/switching.py",
+        "return bool(offset * special.slope * special.direction < 0)",
+        "return bool(offset * special.slope < 0)",
+        "whether a doubling is supercritical depends on the way along the branch",
+        (f"{MAPS}::test_a_doubling_is_supercritical_where_the_single_cycle_is_unstable",),
+    ),
+)
+
+GAITS = (
+    Mutation(
+        "solver/branches/conditions.py",
+        "return 0.5 * np.pi - fallen",
+        "return np.pi - fallen",
+        "a gait falls only when its leg points down",
+        (f"{ENDS}::test_conditions_are_what_is_measured",),
+    ),
+    Mutation(
+        "solver/branches/conditions.py",
+        'return -extreme(trace, "vertical_force", np.negative)',
+        'return extreme(trace, "vertical_force")',
+        "contact is judged where the ground pushes most",
+        (f"{ENDS}::test_conditions_are_what_is_measured",),
+    ),
+    Mutation(
+        "solver/branches/conditions.py",
+        "values.reshape(len(at), n_steps).min(axis=1)",
+        "values.reshape(len(at), n_steps).max(axis=1)",
+        "a cycle of two steps is as good as its better step",
+        (f"{ENDS}::test_a_cycle_of_several_steps_is_as_good_as_its_worst_step",),
+    ),
+    Mutation(
+        "solver/branches/conditions.py",
+        "lowest = turns.f_lower > turns.f_upper",
+        "lowest = turns.f_lower < turns.f_upper",
+        "an early touchdown is looked for where the foot is highest",
+        (f"{ENDS}::test_a_gait_ends_where_the_foot_touches_down_early",),
+    ),
+    Mutation(
+        "solver/branches/conditions.py",
+        'return trace.dg[:, -1, trace.row("touchdown")]',
+        'return trace.dg[:, 0, trace.row("touchdown")]',
+        "grazing is judged at the beginning of the step",
+        (f"{ENDS}::test_conditions_are_what_is_measured",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "            if not f > 0:\n",
+        "            if False:\n",
+        "of two conditions the one that is met last ends a gait",
+        (f"{ON_MAPS}::test_a_gait_ends_at_the_condition_that_is_met_first",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "while n_rk < CYCLE_N_RK[-1]:",
+        "while n_rk < 0:",
+        "the ends of gaits are those at the resolution with which the branch was followed",
+        (f"{ENDS}::test_an_end_is_one_at_the_finest_resolution_too",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "if noise and abs(f) < LOCATED and left < UNCHANGED:",
+        "if noise and abs(f) < LOCATED and left < SETTLED:",
+        "an end that rounding blurs is searched for again at the finest resolution",
+        (f"{ENDS}::test_where_rounding_blurs_a_condition_secants_stop",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "gait = np.all(list(holds.values()), axis=0)",
+        "gait = np.any(list(holds.values()), axis=0)",
+        "a gait goes on while one of its conditions holds",
+        (f"{ON_MAPS}::test_a_condition_that_is_broken_on_both_sides_hides_others",),
+    ),
+    Mutation(
+        "solver/branches/ends.py",
+        "LOCATED, ROUNDING = 1e-11, 1e-14",
+        "LOCATED, ROUNDING = 1e3, 1e-14",
+        "a condition that jumps ends a gait where it is not zero",
+        (f"{ON_MAPS}::test_a_condition_that_jumps_has_no_end_on_the_branch",),
+    ),
+    Mutation(
+        "solver/branches/survey.py",
+        "        return False\n    steps = x[:-1]",
+        "        return False\n    return False\n    steps = x[:-1]",
+        "a branch is followed anew from every cycle on it",
+        ("tests/solver/branches/test_survey.py",),
+    ),
+    Mutation(
+        "solver/branches/survey.py",
+        "for k in range(branch.period_n))",
+        "for k in range(1))",
+        "a cycle of two steps that begins with its other step is a new branch",
+        ("tests/solver/branches/test_survey.py",),
+    ),
+    Mutation(
+        "solver/branches/arclength.py",
+        "SAME = 1e-5",
+        "SAME = 1e-1",
+        "a branch beside another one is taken for it",
+        ("tests/solver/branches/test_survey.py",),
+    ),
+    Mutation(
+        "solver/branches/survey.py",
+        "doublings=self.cascade > turn)",
+        "doublings=True)",
+        "doublings are followed that were not asked for",
+        ("tests/solver/branches/test_survey.py",),
+    ),
+)
+
+MUTATIONS = (*BIFURCATIONS, *GAITS)
